@@ -1,0 +1,57 @@
+#pragma once
+
+#include <limits>
+
+namespace dbd {
+
+/// What the tire model needs to know of the soil at one place.
+struct SoilSample {
+  double cone_index = 1.8e6;     ///< mean cone index of the top 0.15 m [Pa]
+  double friction_limit = 0.88;  ///< upper bound of the gross traction ratio [-]
+};
+
+/// The ground as the engine sees it: implemented by the terrain module and by test surfaces.
+///
+/// Places are x, y in the world frame W (local east-north-up, m). One call answers for a whole
+/// wheel, or for the wheels of many vehicles, so that no virtual call is spent per contact point.
+/// All functions are const and safe to call from many threads. Every height is finite: outside
+/// the known ground an implementation continues its nearest known height, and the caller finds
+/// out by asking `IsKnown`.
+class Ground {
+ public:
+  virtual ~Ground() = default;
+
+  /// Ground heights z [m] at `count` places.
+  virtual void Heights(int count, const double* x, const double* y, double* z) const = 0;
+
+  /// Soil at `count` places.
+  virtual void Soils(int count, const double* x, const double* y, SoilSample* soil) const = 0;
+
+  /// An upper bound of the ground height [m] within `radius` [m] of each of `count` places; may be
+  /// generous, never too low. Infinity, the default, means "not known, look at every point".
+  virtual void HighestWithin(double radius, int count, const double* x, const double* y,
+                             double* z) const {
+    (void)radius, (void)x, (void)y;
+    for (int i = 0; i < count; ++i) z[i] = std::numeric_limits<double>::infinity();
+  }
+
+  /// Whether the height at this place was surveyed (inside the map and not nodata).
+  virtual bool IsKnown(double x, double y) const {
+    (void)x, (void)y;
+    return true;
+  }
+
+  double Height(double x, double y) const {
+    double z = 0;
+    Heights(1, &x, &y, &z);
+    return z;
+  }
+
+  SoilSample Soil(double x, double y) const {
+    SoilSample soil;
+    Soils(1, &x, &y, &soil);
+    return soil;
+  }
+};
+
+}  // namespace dbd

@@ -1,0 +1,144 @@
+#pragma once
+
+#include <dbd/core/path.h>
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dbd {
+
+/// How candidates are sampled. Every budget is an amount of work, never a time, so that the
+/// same request gives the same candidates.
+struct SamplingOptions {
+  int candidates = 32;            ///< routes to drive
+  int roadmap_nodes = 3000;       ///< of the penalised-search roadmap
+  int planner_iterations = 2000;  ///< of each OPTIMISING planner run
+  double min_separation = 5.0;    ///< routes nearer to each other than this are the same [m]
+};
+
+/// What makes one route better than another: seconds that one unit is worth.
+struct ScoringOptions {
+  double energy_weight = 2e-4;  ///< [s/J]
+  double risk_weight = 30.0;    ///< [s] at no margin left
+};
+
+struct PlanOptions {
+  SamplingOptions sampling;
+  ScoringOptions scoring;
+  std::uint64_t seed = 1;
+  double max_speed = 8.0;  ///< target speed on open ground [m/s]
+  int threads = 0;         ///< 0 = all
+  double goal_tolerance = 2.0;  ///< [m]
+
+  /// Throws InputError that names the field, its value and the rule.
+  void Validate() const;
+};
+
+/// Where from and where to, in W.
+struct PlanRequest {
+  Eigen::Vector2d start = Eigen::Vector2d::Zero();
+  std::optional<double> start_heading;  ///< [rad], 0 = east, counter-clockwise
+  Eigen::Vector2d goal = Eigen::Vector2d::Zero();
+  std::optional<double> goal_heading;
+};
+
+/// A route that was sampled and not yet driven. Its index is its name in every list and file.
+struct Candidate {
+  std::string origin;      ///< the planner that found it
+  Path path;
+  double layer_cost = 0;   ///< cost by the trafficability layer [s]
+};
+
+/// How a drive ended.
+enum class Outcome {
+  kReached,
+  kImmobilized,
+  kRolledOver,
+  kCollided,
+  kLeftMap,
+  kLimitExceeded,
+  kTimedOut,
+  kDiverged,
+  kCancelled,
+};
+const char* OutcomeName(Outcome outcome);
+
+/// One row of the trace: the vehicle every so many metres. SI, angles [rad].
+struct TraceSample {
+  double t = 0;
+  double s = 0;  ///< driven distance
+  double x = 0;  ///< chassis centre of mass in W
+  double y = 0;
+  double z = 0;
+  double ground_z = 0;  ///< below the centre of mass
+  double yaw = 0;
+  double pitch = 0;  ///< positive nose down
+  double roll = 0;   ///< positive left side up
+  double speed = 0;
+  double target_speed = 0;
+  double slip = 0;                  ///< of the driven wheel that slips most, signed
+  double sinkage = 0;               ///< deepest wheel
+  double net_traction_reserve = 0;  ///< (available - used) net traction / weight
+  double clearance = 0;             ///< least, belly to ground
+  double load_transfer_ratio = 0;   ///< 0 even, 1 a side lifts
+  double ground_slope = 0;          ///< steepest direction, under the vehicle
+  double power = 0;                 ///< at the driven wheels [W]
+};
+
+/// One limit of the certificate: the worst value met and where.
+struct LimitMargin {
+  std::string name;    ///< "roll", "pitch", "slope", "sinkage", "clearance", "load_transfer"
+  double limit = 0;
+  double worst = 0;
+  double margin = 1;   ///< share of the limit that is left; negative = exceeded
+  double s = 0;        ///< driven distance where it was met [m]
+  Eigen::Vector2d place = Eigen::Vector2d::Zero();
+};
+
+/// What happened when one candidate was driven in full dynamics.
+struct Rollout {
+  Outcome outcome = Outcome::kDiverged;
+  std::string reason;  ///< one sentence, empty when reached
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< where it ended, in W
+  double time = 0;      ///< [s]
+  double distance = 0;  ///< driven [m]
+  double energy = 0;    ///< work at the driven wheels [J]
+  double progress = 0;  ///< share of the candidate's path [0, 1]
+  std::vector<LimitMargin> margins;
+  std::vector<TraceSample> trace;
+};
+
+/// Lower is better. Terms are in seconds and add up to `total`.
+struct Score {
+  bool feasible = false;
+  double total = std::numeric_limits<double>::infinity();
+  std::vector<std::pair<std::string, double>> terms;
+};
+
+enum class PlanStatus { kRoute, kNoGo, kDeadline, kCancelled };
+const char* PlanStatusName(PlanStatus status);
+
+/// The answer: the chosen route with its proof, and what became of every other candidate.
+struct Plan {
+  PlanStatus status = PlanStatus::kNoGo;
+  std::string reason;
+  std::optional<int> chosen;  ///< index into the lists below
+  std::optional<Eigen::Vector3d> blocked_at;  ///< for kNoGo: the place that says most, in W
+  std::vector<Candidate> candidates;
+  std::vector<Rollout> rollouts;
+  std::vector<Score> scores;
+  std::vector<std::pair<std::string, double>> timing;  ///< seconds per stage, in order
+  double simulated_time = 0;  ///< of all rollouts [s]
+  std::uint64_t digest = 0;   ///< of everything that must be reproducible
+};
+
+/// Called now and then from the planning thread: stage name, done, total.
+using ProgressCallback = std::function<void(const std::string& stage, int done, int total)>;
+
+}  // namespace dbd

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <dbd/terrain/height_map.h>
+
+#include <string>
+#include <vector>
+
+namespace dbd {
+
+/// Obstacles from an OctoMap, kept as a layer over the ground: for each cell the lowest occupied
+/// height above the ground that is not the ground itself. Empty when there are none.
+class ObstacleMap {
+ public:
+  ObstacleMap() = default;
+
+  /// `lowest`: rows x columns, row 0 south; height above ground of the lowest occupied voxel's
+  /// bottom at or above `floor` [m], infinity where free.
+  ObstacleMap(const HeightMap::Grid& grid, std::vector<float> lowest);
+
+  bool empty() const { return lowest_.empty(); }
+
+  /// Something occupied stands less than `height` [m] above the ground at this place.
+  bool Blocks(double x, double y, double height) const;
+
+  /// The same anywhere in the rectangle with this centre, heading [rad] and half extents [m].
+  bool BlocksBox(const Eigen::Vector2d& center, double heading, const Eigen::Vector2d& half_extents,
+                 double height) const;
+
+  /// Share of the cells that hold an obstacle below `height`.
+  double BlockedShare(double height) const;
+
+  const HeightMap::Grid& grid() const { return grid_; }
+
+ private:
+  HeightMap::Grid grid_;
+  std::vector<float> lowest_;
+};
+
+/// Reads a .bt or .ot file and projects it on the ground. Voxels less than `floor` above the
+/// ground count as ground. `offset`: W coordinates of the map's x = y = 0. Throws InputError.
+ObstacleMap LoadObstacles(const std::string& file, const HeightMap& ground,
+                          const Eigen::Vector2d& offset, double floor = 0.3);
+
+}  // namespace dbd
