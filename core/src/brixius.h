@@ -1,0 +1,61 @@
+#pragma once
+
+#include <dbd/core/vehicle_model.h>
+
+#include "scalar.h"
+
+namespace dbd {
+
+// Brixius (1987) wheel equations as adopted by ASAE/ASABE D497, for any lane type.
+//
+//   C_n = CI b d / W                              wheel numeric
+//   B_n = C_n (1 + 5 delta/h) / (1 + 3 b/d)       mobility number
+//   GTR = A (1 - e^(-k1 B_n)) (1 - e^(-k2 s)) + ct
+//   MRR = m1/B_n + ct + m2 s / sqrt(B_n)
+//
+// Known differences: the carcass term ct stands in GTR and MRR alike and cancels in the net pull
+// (the source prints it in both; some codes drop it from GTR). The curve is continued to negative
+// slip as an odd function, a convention, since Brixius measured no braking. delta is the tire's
+// deflection on a hard surface, load / stiffness, never the sinkage.
+
+/// Largest B_n used: beyond it the relations are flat and the soil is "hard" (D497 class 80).
+inline constexpr double kHardSoilMobility = 80.0;
+
+/// Loads below this are treated as this in quotients; the forces still vanish with the load.
+inline constexpr double kLeastLoad = 1.0;  // [N]
+
+template <class Real>
+Real MobilityNumber(const Real& cone_index, const Real& load, const Real& deflection, double width,
+                    double diameter, double section_height) {
+  using S = ScalarOf<Real>;
+  const Real numeric = cone_index * Real(S(width * diameter)) / Max(load, Real(S(kLeastLoad)));
+  const Real shape = (Real(1) + deflection * Real(S(5.0 / section_height))) *
+                     Real(S(1.0 / (1.0 + 3.0 * width / diameter)));
+  return Min(numeric * shape, Real(S(kHardSoilMobility)));
+}
+
+/// The gross traction ratio that a wheel reaches at full slip, less ct.
+template <class Real>
+Real TractionCapacity(const BrixiusCoefficients& c, const Real& mobility) {
+  using S = ScalarOf<Real>;
+  return Real(S(c.traction_max)) * (Real(1) - Exp(Real(S(-c.mobility_rate)) * mobility));
+}
+
+/// Motion resistance ratio without ct; `slip` may be negative, its magnitude counts.
+template <class Real>
+Real SoilResistance(const BrixiusCoefficients& c, const Real& mobility, const Real& slip) {
+  using S = ScalarOf<Real>;
+  const Real b = Max(mobility, Real(S(1e-3)));
+  return Real(S(c.resistance_mobility)) / b + Real(S(c.resistance_slip)) * Abs(slip) / Sqrt(b);
+}
+
+/// Rolling radius from the unloaded radius and the deflection (Brixius; terramechanics 1.4):
+/// r = 2.5 R L / (1.5 R + L) with L the static loaded radius.
+template <class Real>
+Real RollingRadius(double radius, const Real& deflection) {
+  using S = ScalarOf<Real>;
+  const Real loaded = Real(S(radius)) - deflection;
+  return Real(S(2.5 * radius)) * loaded / (Real(S(1.5 * radius)) + loaded);
+}
+
+}  // namespace dbd

@@ -1,0 +1,70 @@
+#include <dbd/core/path.h>
+
+#include <dbd/core/error.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace dbd {
+
+Path::Path(const std::vector<Eigen::Vector2d>& points) {
+  for (const Eigen::Vector2d& p : points) {
+    if (!p.allFinite()) throw InputError("path: a point has a coordinate that is not a number");
+    if (points_.empty()) {
+      points_.push_back(p);
+      arc_lengths_.push_back(0);
+      continue;
+    }
+    const double step = (p - points_.back()).norm();
+    if (step < 1e-6) continue;
+    points_.push_back(p);
+    arc_lengths_.push_back(arc_lengths_.back() + step);
+  }
+  if (points_.size() < 2) throw InputError("path: needs at least two distinct points");
+}
+
+std::size_t Path::SegmentAt(double s) const {
+  const auto next = std::upper_bound(arc_lengths_.begin(), arc_lengths_.end(), s);
+  const auto index = std::distance(arc_lengths_.begin(), next) - 1;
+  return static_cast<std::size_t>(
+      std::clamp<std::ptrdiff_t>(index, 0, static_cast<std::ptrdiff_t>(points_.size()) - 2));
+}
+
+Eigen::Vector2d Path::Position(double s) const {
+  const std::size_t i = SegmentAt(s);
+  const double t = (s - arc_lengths_[i]) / (arc_lengths_[i + 1] - arc_lengths_[i]);
+  return points_[i] + t * (points_[i + 1] - points_[i]);
+}
+
+double Path::Heading(double s) const {
+  const std::size_t i = SegmentAt(s);
+  const Eigen::Vector2d d = points_[i + 1] - points_[i];
+  return std::atan2(d.y(), d.x());
+}
+
+double Path::Curvature(double s, double half_window) const {
+  const double a = std::max(0.0, s - half_window);
+  const double b = std::min(length(), s + half_window);
+  if (b - a < 1e-6) return 0;
+  const double turn = std::remainder(Heading(b) - Heading(a), 2 * std::numbers::pi);
+  return turn / (b - a);
+}
+
+double Path::NearestArcLength(const Eigen::Vector2d& p, double s_from, double s_to) const {
+  double best_s = s_from;
+  double best_distance = std::numeric_limits<double>::infinity();
+  for (std::size_t i = SegmentAt(s_from); i + 1 < points_.size(); ++i) {
+    if (arc_lengths_[i] > s_to) break;
+    const Eigen::Vector2d d = points_[i + 1] - points_[i];
+    const double segment = arc_lengths_[i + 1] - arc_lengths_[i];
+    const double along = (p - points_[i]).dot(d) / segment;
+    const double s = std::clamp(arc_lengths_[i] + std::clamp(along, 0.0, segment), s_from, s_to);
+    const double distance = (Position(s) - p).squaredNorm();
+    if (distance < best_distance) best_distance = distance, best_s = s;
+  }
+  return best_s;
+}
+
+}  // namespace dbd

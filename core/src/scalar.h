@@ -1,0 +1,70 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+
+namespace dbd {
+
+// The arithmetic that the engine is written in. A `Real` is a number or a pack of numbers, one per
+// vehicle, with the usual operators and the functions below; comparisons give a mask, and `Select`
+// takes the place of a branch, so that one source serves one vehicle or many.
+
+template <class Real>
+struct LaneTraits {
+  static_assert(std::floating_point<Real>);
+  using Scalar = Real;
+  static constexpr int kLanes = 1;
+  static Real Load(const Scalar* values) { return *values; }
+  static void Store(Real value, Scalar* values) { *values = value; }
+};
+
+template <class Real>
+using ScalarOf = typename LaneTraits<Real>::Scalar;
+
+template <std::floating_point T>
+T Select(bool mask, T yes, T no) {
+  return mask ? yes : no;
+}
+template <std::floating_point T>
+T Min(T a, T b) {
+  return a < b ? a : b;
+}
+template <std::floating_point T>
+T Max(T a, T b) {
+  return a < b ? b : a;
+}
+template <std::floating_point T>
+T Abs(T a) {
+  return std::abs(a);
+}
+template <std::floating_point T>
+T Sqrt(T a) {
+  return std::sqrt(a);
+}
+template <std::floating_point T>
+T Exp(T a) {
+  return std::exp(a);
+}
+template <std::floating_point T>
+T Cbrt(T a) {
+  return std::cbrt(a);
+}
+inline bool AnyOf(bool mask) { return mask; }
+
+/// Smallest and largest over the lanes.
+template <std::floating_point T>
+T LeastLane(T a) {
+  return a;
+}
+template <std::floating_point T>
+T GreatestLane(T a) {
+  return a;
+}
+
+template <class Real>
+Real Clamp(Real value, Real low, Real high) {
+  return Min(Max(value, low), high);
+}
+
+}  // namespace dbd
