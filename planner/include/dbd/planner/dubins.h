@@ -1,0 +1,54 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+namespace dbd {
+
+/// A place [m] and a direction of travel [rad, 0 = east, counter-clockwise] in the frame W.
+struct Pose2 {
+  double x = 0;
+  double y = 0;
+  double heading = 0;
+
+  Eigen::Vector2d position() const { return {x, y}; }
+};
+
+/// The same angle in (-pi, pi].
+double WrapAngle(double angle);
+
+enum class Turn : signed char { kRight = -1, kStraight = 0, kLeft = 1 };
+
+/// Three pieces of circle or straight line, driven forward only.
+struct DubinsCurve {
+  std::array<Turn, 3> turns{Turn::kLeft, Turn::kStraight, Turn::kLeft};
+  std::array<double, 3> lengths{};  ///< [m], none negative
+  double radius = 1;                ///< of the turns [m]
+
+  double length() const { return lengths[0] + lengths[1] + lengths[2]; }
+};
+
+/// The shortest curve of bounded curvature between two poses (L. E. Dubins 1957; the six words as
+/// written by Shkel and Lumelsky 2001). `radius` [m] must be positive.
+///
+/// The end pose is met within 1e-7 radii. Within that tolerance a turn that rounding has made a
+/// full circle is left out, so that two poses of one curve are joined by that curve.
+DubinsCurve ShortestDubinsCurve(const Pose2& from, const Pose2& to, double radius);
+
+/// Poses along one curve that starts at `from`.
+class DubinsSampler {
+ public:
+  DubinsSampler(const Pose2& from, const DubinsCurve& curve);
+
+  /// Pose at arc length s [m]; s is held within [0, length].
+  Pose2 At(double s) const;
+
+  double length() const { return length_; }
+
+ private:
+  std::array<Pose2, 3> starts_;  // of the pieces
+  DubinsCurve curve_;
+  double length_;
+};
+
+}  // namespace dbd

@@ -1,0 +1,146 @@
+#pragma once
+
+#include <dbd/core/vehicle_model.h>
+#include <dbd/terrain/terrain.h>
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+namespace dbd {
+
+/// Why a vehicle cannot stand or drive at a place.
+enum class NoGoReason : std::uint8_t {
+  kNone,
+  kOutsideMap,  ///< the footprint leaves the map
+  kUnknownGround,
+  kImpassableMaterial,
+  kSinkage,
+  kObstacle,
+  kStep,
+  kSlope,
+  kPitch,
+  kRoll,
+  kClearance,
+  kTraction,
+};
+inline constexpr int kNoGoReasonCount = 12;
+
+/// One word, as used in files: "roll", "unknown-ground", ...
+const char* NoGoReasonName(NoGoReason reason);
+
+/// What is the matter, to be put after "because": "the side slope is above the roll limit".
+const char* NoGoReasonText(NoGoReason reason);
+
+struct CellVerdict {
+  NoGoReason reason = NoGoReason::kNone;
+  bool go() const { return reason == NoGoReason::kNone; }
+};
+
+struct TrafficabilityOptions {
+  double min_resolution = 0.5;    ///< finest cell [m]
+  int max_cells = 4'000'000;      ///< larger maps get coarser cells
+  double tolerance = 0.1;         ///< share by which a limit may be passed before a place is no-go
+  double obstacle_margin = 0.2;   ///< free space beside and before the vehicle [m]
+  double climb_cost = 1.0;        ///< seconds that one metre of climb is worth [s/m]
+  double risk_cost = 0.15;        ///< [s/m] where a limit is used to one half and a bit, see below
+  double roughness_scale = 0.08;  ///< rms roughness that halves the speed [m]
+
+  /// Throws InputError that names the field, its value and the rule.
+  void Validate() const;
+};
+
+/// The cheap judge: where and in which direction may the vehicle drive, and how fast about.
+///
+/// A grid over the terrain holds, per cell, the ground's gradient (least squares over a square of
+/// the vehicle's footprint), the roughness about that plane and what speaks against the cell
+/// whatever the heading. Cells are as large as those of the elevation, at least `min_resolution`
+/// and at most half a wheelbase; when `max_cells` is not enough they grow.
+///
+/// Limits come from `VehicleModel::limits`, widened by `tolerance`: the layer never decides that
+/// a route is safe, full dynamics does, so it must not refuse what could be driven. The cost grows
+/// steeply as limits are approached, which keeps routes off the edge all the same.
+///
+/// Obstacles are looked up with the oriented box of the vehicle at the time of the query, but only
+/// in cells that have one within the box's circumcircle: a grid inflated by half the width would
+/// either close gaps that the vehicle fits through or forget its corners.
+///
+/// Immutable after construction, safe for many threads. Keeps a reference to the terrain.
+class TrafficabilityLayer {
+ public:
+  TrafficabilityLayer(const Terrain& terrain, const VehicleModel& vehicle, double max_speed,
+                      const TrafficabilityOptions& options = {});
+
+  /// Go or no-go of the vehicle's reference point at x, y [m, W] with a heading [rad].
+  CellVerdict Evaluate(double x, double y, double heading) const;
+
+  /// What speaks against the place whatever the heading; obstacles are not looked up.
+  CellVerdict EvaluateAnyHeading(double x, double y) const;
+
+  /// Cost of travel there [s/m]: 1 / expected speed + climb + risk; infinite where no-go.
+  ///
+  /// With u the largest used share of a limit (roll, pitch, slope, traction, sinkage), the speed
+  /// is max_speed (1 - 0.8 u) / (1 + roughness / roughness_scale), and the risk is
+  /// risk_cost (u / (1.15 - u))^2, at most 100 risk_cost.
+  double SecondsPerMetre(double x, double y, double heading) const;
+
+  /// No place costs less [s/m].
+  double min_seconds_per_metre() const { return 1.0 / max_speed_; }
+
+  double resolution() const { return resolution_; }
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
+  const Eigen::Vector2d& min_corner() const { return min_corner_; }
+  Eigen::Vector2d max_corner() const;
+
+ private:
+  friend class TrafficabilityBuilder;
+
+  struct Cell {
+    float grade_x = 0;  // of the fitted plane [-]
+    float grade_y = 0;
+    float roughness = 0;  // rms about the plane [m]
+    NoGoReason reason = NoGoReason::kNone;  // whatever the heading
+    std::uint8_t material = 0;
+    std::uint8_t flags = 0;
+  };
+  static constexpr std::uint8_t kNearObstacle = 1;
+  static constexpr std::uint8_t kRugged = 2;  // the belly could touch: look at the heights
+
+  // What a material means to the vehicle.
+  struct Footing {
+    NoGoReason reason = NoGoReason::kNone;
+    double net_traction_ratio = 0;
+    double sinkage_share = 0;  // of the limit
+  };
+
+  // Tangents of the limits, without and with the tolerance.
+  struct Bounds {
+    double roll = 0;
+    double pitch = 0;
+    double slope = 0;
+  };
+
+  const Cell* CellAt(double x, double y) const;
+  NoGoReason Judge(const Cell& cell, double x, double y, double cos_h, double sin_h) const;
+  double UsedShare(const Cell& cell, double grade, double side_slope) const;
+  bool BellyTouches(double x, double y, double cos_h, double sin_h) const;
+  bool HitsObstacle(double x, double y, double cos_h, double sin_h) const;
+
+  const Terrain* terrain_;
+  TrafficabilityOptions options_;
+  double max_speed_;
+  double half_wheelbase_;
+  double crest_limit_;
+  VehicleOutline outline_;
+  Bounds limits_;
+  Bounds tolerated_;
+  double resolution_ = 1;
+  int columns_ = 0;
+  int rows_ = 0;
+  Eigen::Vector2d min_corner_;
+  std::vector<Cell> cells_;
+  std::vector<Footing> footings_;
+};
+
+}  // namespace dbd
