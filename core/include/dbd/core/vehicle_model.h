@@ -99,6 +99,7 @@ struct WheelModel {
   int axle = 0;
   Eigen::Vector3d p_BH = Eigen::Vector3d::Zero();  ///< hub in its body's frame
   bool steers_hub = false;  ///< the hub turns on its body (solid axle); else a joint steers
+  int reaction_body = 0;    ///< takes the reaction of the drive torque
   double spin_inertia = 0;       ///< resists spinning up: wheel, shafts and gears [kg m^2]
   double gyroscopic_inertia = 0; ///< of the wheel alone
   double brake_torque = 0;       ///< largest

@@ -1,0 +1,88 @@
+#include "suspension.h"
+
+namespace dbd {
+namespace {
+
+/// Mirrors left-side geometry to the right when `side` is -1.
+Eigen::Vector3d OnSide(const Eigen::Vector3d& left, double side) {
+  return {left.x(), side * left.y(), left.z()};
+}
+
+void AddLinks(const IndependentSuspension& suspension, const Eigen::Vector3d& p_RB_chassis,
+              double side, int carrier, const std::string& prefix, VehicleModel& vehicle) {
+  for (const IndependentSuspension::Link& link : suspension.links) {
+    LinkModel model;
+    model.name = prefix + " " + link.name;
+    model.body_b = carrier;
+    model.p_A = OnSide(link.chassis_point, side) - p_RB_chassis;
+    model.p_B = OnSide(link.ball, side);
+    model.stiffness = suspension.link_rate.stiffness;
+    model.damping = suspension.link_rate.damping;
+    vehicle.links.push_back(model);
+  }
+}
+
+void AddSpring(const SpringLayout& layout, const Eigen::Vector3d& p_RB_chassis, double side,
+               int carrier, const std::string& prefix, VehicleModel& vehicle) {
+  SpringModel spring;
+  spring.name = prefix + " spring";
+  spring.body_b = carrier;
+  spring.p_A = OnSide(layout.mount, side) - p_RB_chassis;
+  spring.p_Q = OnSide(layout.pivot, side) - p_RB_chassis;
+  spring.p_B = OnSide(layout.hub_point, side);
+  spring.lever = layout.lever;
+  spring.stiffness = layout.rate.stiffness;
+  spring.damping = layout.rate.damping;
+  spring.free_length = layout.free_length.value_or(0);
+  vehicle.springs.push_back(spring);
+}
+
+/// Toe: the carrier's forward axis against the chassis' left axis; camber: the carrier's spin axis
+/// against the chassis' vertical axis.
+void AddJoints(const IndependentSuspension& suspension, int carrier, int steered_wheel,
+               const std::string& prefix, VehicleModel& vehicle) {
+  AxisJointModel toe;
+  toe.name = prefix + " toe";
+  toe.body_b = carrier;
+  toe.axis_a = Eigen::Vector3d::UnitY();
+  toe.axis_b = Eigen::Vector3d::UnitX();
+  toe.stiffness = suspension.toe.stiffness;
+  toe.damping = suspension.toe.damping;
+  toe.steered_wheel = steered_wheel;
+  vehicle.joints.push_back(toe);
+  if (suspension.camber.stiffness == 0) return;
+  AxisJointModel camber = toe;
+  camber.name = prefix + " camber";
+  camber.axis_a = Eigen::Vector3d::UnitZ();
+  camber.axis_b = Eigen::Vector3d::UnitY();
+  camber.stiffness = suspension.camber.stiffness;
+  camber.damping = suspension.camber.damping;
+  camber.steered_wheel = -1;
+  vehicle.joints.push_back(camber);
+}
+
+}  // namespace
+
+void AddIndependentAxle(const IndependentSuspension& suspension, const Eigen::Vector3d& center,
+                        const WheelModel& wheel_of_both, VehicleModel& vehicle) {
+  AxleModel& axle = vehicle.axles.back();
+  const Eigen::Vector3d p_RB_chassis = vehicle.bodies[0].p_RB;
+  for (const double side : {1.0, -1.0}) {
+    const std::string prefix = axle.name + (side > 0 ? " left" : " right");
+    const int carrier = static_cast<int>(vehicle.bodies.size());
+    const int index = static_cast<int>(vehicle.wheels.size());
+    vehicle.bodies.push_back({prefix + " carrier", suspension.carrier_mass,
+                              suspension.carrier_inertia, OnSide(center, side)});
+    WheelModel wheel = wheel_of_both;
+    wheel.name = prefix;
+    wheel.body = carrier;
+    wheel.axle = static_cast<int>(vehicle.axles.size()) - 1;
+    vehicle.wheels.push_back(wheel);
+    (side > 0 ? axle.left : axle.right) = index;
+    AddLinks(suspension, p_RB_chassis, side, carrier, prefix, vehicle);
+    AddSpring(suspension.spring, p_RB_chassis, side, carrier, prefix, vehicle);
+    AddJoints(suspension, carrier, axle.steer_ratio != 0 ? index : -1, prefix, vehicle);
+  }
+}
+
+}  // namespace dbd

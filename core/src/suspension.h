@@ -1,0 +1,49 @@
+#pragma once
+
+#include <dbd/core/vehicle_model.h>
+
+#include <optional>
+
+namespace dbd {
+
+// Suspensions as sets of stiff spring-dampers (paper sections 4.2, 4.3 and Fig. 4). Each builder
+// adds the bodies and force elements of one axle's left and right side to the vehicle. Points are
+// of the left side, in the reference frame; balls and hub points are relative to the wheel centre.
+
+struct StiffnessDamping {
+  double stiffness = 0;
+  double damping = 0;
+};
+
+struct SpringLayout {
+  Eigen::Vector3d mount;      // on the chassis
+  Eigen::Vector3d pivot;      // of the arm, on the chassis
+  Eigen::Vector3d hub_point;  // of the arm, on the wheel body
+  double lever = 1;
+  StiffnessDamping rate;
+  std::optional<double> free_length;  // absent: trimmed
+};
+
+/// An independent wheel: carrier body held by links from chassis points to balls, a spring, and
+/// rotational stiffness against toe and, if needed, camber.
+struct IndependentSuspension {
+  struct Link {
+    std::string name;
+    Eigen::Vector3d chassis_point;
+    Eigen::Vector3d ball;
+  };
+  double carrier_mass = 0;
+  Eigen::Vector3d carrier_inertia = Eigen::Vector3d::Ones();
+  std::vector<Link> links;
+  StiffnessDamping link_rate;
+  SpringLayout spring;
+  StiffnessDamping toe;
+  StiffnessDamping camber;  // zero stiffness: the links hold camber
+};
+
+/// Adds both sides. `center`: left wheel centre in the reference frame; `wheel`: what both wheels
+/// share (its body and name are filled in). The axle must be the last in `vehicle.axles`.
+void AddIndependentAxle(const IndependentSuspension& suspension, const Eigen::Vector3d& center,
+                        const WheelModel& wheel, VehicleModel& vehicle);
+
+}  // namespace dbd

@@ -1,0 +1,68 @@
+#include "time_steps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dbd {
+namespace {
+
+constexpr double kSafety = 3.0;          // paper section 3: "dividing t_cr by a factor of 3"
+constexpr double kQuantum = 0.5e-3;      // [s]
+constexpr double kSlowestTire = 4e-3;    // [s] beyond it the sampled contact lags visibly
+constexpr double kSlowestControl = 4e-3; // [s]
+
+double LeverArm(const Eigen::Vector3d& point, const Eigen::Vector3d& direction) {
+  return point.cross(direction).norm();
+}
+
+double RoundDown(double step) {
+  return step < kQuantum ? step : kQuantum * std::floor(step / kQuantum + 1e-9);
+}
+
+}  // namespace
+
+CriticalStep CriticalStepOf(const VehicleModel& vehicle, const LinkModel& link) {
+  const BodyModel& a = vehicle.bodies[link.body_a];
+  const BodyModel& b = vehicle.bodies[link.body_b];
+  const Eigen::Vector3d direction =
+      (b.p_RB + link.p_B - a.p_RB - link.p_A).normalized();
+  const auto rotational = [&](const BodyModel& body, const Eigen::Vector3d& point) {
+    const double arm = LeverArm(point, direction);
+    if (arm < 1e-6) return std::numeric_limits<double>::infinity();
+    return std::sqrt(body.inertia.minCoeff() / (link.stiffness * arm * arm));
+  };
+  return {std::sqrt(std::min(a.mass, b.mass) / link.stiffness),
+          std::min(rotational(a, link.p_A), rotational(b, link.p_B))};
+}
+
+StepSizes ChooseStepSizes(const VehicleModel& vehicle) {
+  double construction = std::numeric_limits<double>::infinity();
+  for (const LinkModel& link : vehicle.links) {
+    const CriticalStep critical = CriticalStepOf(vehicle, link);
+    construction = std::min({construction, critical.translational, critical.rotational});
+  }
+  double tire = std::numeric_limits<double>::infinity();
+  for (const WheelModel& wheel : vehicle.wheels) {
+    tire = std::min(tire, std::sqrt(vehicle.bodies[wheel.body].mass / wheel.tire.stiffness));
+  }
+  StepSizes steps;
+  steps.construction = RoundDown(std::min(construction / kSafety, kSlowestTire));
+  // A spring update costs little; holding its force would only add lag.
+  steps.spring = steps.construction;
+  steps.tire = std::min(std::max(tire / kSafety, steps.construction), kSlowestTire);
+  steps.control = kSlowestControl;
+  SynchroniseSteps(steps);
+  return steps;
+}
+
+void SynchroniseSteps(StepSizes& steps) {
+  const auto multiple = [&](double group) {
+    return steps.construction * std::max(1.0, std::floor(group / steps.construction + 1e-9));
+  };
+  steps.spring = multiple(steps.spring);
+  steps.tire = multiple(steps.tire);
+  steps.control = multiple(steps.control);
+}
+
+}  // namespace dbd

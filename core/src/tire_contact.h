@@ -1,0 +1,252 @@
+#pragma once
+
+#include <dbd/core/ground.h>
+
+#include <array>
+#include <numbers>
+
+#include "engine_state.h"
+
+namespace dbd {
+
+// Where and how deep a tire stands in the ground (paper section 4.5): three circumferential planes
+// of sampled points, the volume between tire and ground by integration, the direction of the normal
+// force from the shape of the ground under the contact.
+//
+// The planes stay upright: they follow camber and steering, never the wheel's rotation, so that the
+// result does not depend on the phase of the points. Between neighbouring points the ground is taken
+// as straight and the tire as the parabola through its circle; the area where the tire is below the
+// ground then has a closed form, exact to third order, with entry and exit found inside the segment.
+// Known difference: points above the hub are left out. They cannot touch a height field before
+// the lower half is buried.
+
+inline constexpr int kTirePlanes = 3;
+inline constexpr int kMaxLowerPoints = 33;  // of one plane, for 64 points round the circle
+
+/// The lower points of one plane in the tire frame (x rolling direction, z up, origin at the hub)
+/// and what is constant between neighbours.
+struct TirePattern {
+  double radius = 0;
+  double half_span = 0;  // lateral distance of the outer planes from the middle one
+  int count = 0;         // odd; the middle point is the lowest
+  std::array<double, kMaxLowerPoints> x{};
+  std::array<double, kMaxLowerPoints> z{};
+  std::array<double, kMaxLowerPoints> bulge{};  // of segment i, i+1: circle below its chord
+};
+
+inline TirePattern MakeTirePattern(const TireModel& tire) {
+  TirePattern pattern;
+  pattern.radius = tire.radius;
+  pattern.half_span = tire.width / kTirePlanes;
+  const double step = 2 * std::numbers::pi / tire.points;
+  const int half = static_cast<int>(std::floor((0.5 * std::numbers::pi - 1e-9) / step));
+  pattern.count = 2 * half + 1;
+  for (int i = 0; i < pattern.count; ++i) {
+    pattern.x[i] = tire.radius * std::sin((i - half) * step);
+    pattern.z[i] = -tire.radius * std::cos((i - half) * step);
+  }
+  for (int i = 0; i + 1 < pattern.count; ++i) {
+    const double mid_x = 0.5 * (pattern.x[i] + pattern.x[i + 1]);
+    const double chord = 0.5 * (pattern.z[i] + pattern.z[i + 1]);
+    const double circle = -std::sqrt(tire.radius * tire.radius - mid_x * mid_x);
+    pattern.bulge[i] = 4 * (chord - circle);
+  }
+  return pattern;
+}
+
+/// Upright axes of a tire: forward and up, perpendicular to the spin axis `y`.
+template <class Real>
+Mat3<Real> TireFrame(const Vec3<Real>& y) {
+  const Real scale = Real(1) / Sqrt(y.x * y.x + y.y * y.y);
+  const Vec3<Real> x{scale * y.y, Real(-1) * scale * y.x, Real(0)};
+  return {x, y, Cross(x, y)};
+}
+
+/// Sums over the contact, weighted with the area between tire and ground.
+template <class Real>
+struct ContactSums {
+  Real area{0}, x{0}, y{0}, z{0}, slope_x{0}, slope_y{0};
+};
+
+/// Adds one segment: penetration p(t) = p0 + b t - q t^2 for t in [0, 1], counted where positive.
+template <class Real>
+void AddSegment(const Real& p0, const Real& p1, const Real& g0, const Real& g1, double x0, double x1,
+                double y, double bulge, const Real& slope_y, ContactSums<Real>& sums) {
+  using S = ScalarOf<Real>;
+  const Real q{S(bulge)};
+  const Real b = p1 - p0 + q;
+  const Real disc = b * b + Real(4) * q * p0;
+  const Real root = Sqrt(Max(disc, Real(0)));
+  const Real half_over_q{S(0.5 / bulge)};
+  const Real t0 = Clamp((b - root) * half_over_q, Real(0), Real(1));
+  const Real t1 = Clamp((b + root) * half_over_q, Real(0), Real(1));
+  const auto primitive = [&](const Real& t) {
+    return t * (p0 + t * (Real(S(0.5)) * b - t * q * Real(S(1.0 / 3))));
+  };
+  const Real area = Real(S(x1 - x0)) * Max(primitive(t1) - primitive(t0), Real(0));
+  const Real t = Real(S(0.5)) * (t0 + t1);
+  sums.area = sums.area + area;
+  sums.x = sums.x + area * (Real(S(x0)) + t * Real(S(x1 - x0)));
+  sums.y = sums.y + area * Real(S(y));
+  sums.z = sums.z + area * (g0 + t * (g1 - g0));
+  sums.slope_x = sums.slope_x + area * (g1 - g0) * Real(S(1 / (x1 - x0)));
+  sums.slope_y = sums.slope_y + area * slope_y;
+}
+
+/// Penetrations, and ground heights in the tire frame, at one angle in the three planes.
+template <class Real>
+struct PointRow {
+  std::array<Real, kTirePlanes> penetration;
+  std::array<Real, kTirePlanes> ground;
+  Real slope_y;
+};
+
+/// From vertical penetrations to the tire frame. A ground point lies above or below its tire point
+/// by the vertical penetration p; seen in the tire frame it is p z_t.z higher and p y_t.z further
+/// left, and the slope across the planes brings it back over the tire point.
+template <class Real>
+PointRow<Real> ToTireFrame(const std::array<Real, kTirePlanes>& vertical, const Mat3<Real>& R_WT,
+                           double half_span, double z) {
+  using S = ScalarOf<Real>;
+  const Real rise = vertical[2] - vertical[0];
+  PointRow<Real> row;
+  row.slope_y = rise * R_WT.z.z / (Real(S(2 * half_span)) + rise * R_WT.y.z);
+  const Real factor = R_WT.z.z - row.slope_y * R_WT.y.z;
+  for (int j = 0; j < kTirePlanes; ++j) {
+    row.penetration[j] = vertical[j] * factor;
+    row.ground[j] = Real(S(z)) + row.penetration[j];
+  }
+  return row;
+}
+
+/// How many points on each side of the lowest one can touch ground that is nowhere higher than
+/// `highest`; -1 = none. The next point outwards belongs to it, for the segment in between.
+template <class Real>
+int ActiveHalfCount(const TirePattern& pattern, const Mat3<Real>& R_WT, const Vec3<Real>& p_WH,
+                    const Real& highest) {
+  using S = ScalarOf<Real>;
+  const Real lowest_hub = p_WH.z - Real(S(pattern.half_span)) * Abs(R_WT.y.z) - highest;
+  const double reach = static_cast<double>(LeastLane(lowest_hub / R_WT.z.z));
+  const int half = pattern.count / 2;
+  constexpr double kBulgeMargin = 1.01;  // the circle lies up to 0.6 % below its points' chords
+  int active = -1;
+  while (active < half && -pattern.z[half + active + 1] * kBulgeMargin >= reach) ++active;
+  return active < 0 ? -1 : std::min(active + 1, half);
+}
+
+/// Heights under the points half-count .. half+count of all planes, as vertical penetrations.
+template <class Real>
+void VerticalPenetrations(const TirePattern& pattern, const Ground& ground, const Mat3<Real>& R_WT,
+                          const Vec3<Real>& p_WH, int first, int last,
+                          std::array<std::array<Real, kTirePlanes>, kMaxLowerPoints>& result) {
+  using S = ScalarOf<Real>;
+  constexpr int kLanes = LaneTraits<Real>::kLanes;
+  constexpr int kMost = kMaxLowerPoints * kTirePlanes * kLanes;
+  S x[kMost], y[kMost], z[kMost];
+  Real tire_z[kMaxLowerPoints * kTirePlanes];
+  int n = 0;
+  for (int i = first; i <= last; ++i) {
+    const Vec3<Real> middle =
+        p_WH + Real(S(pattern.x[i])) * R_WT.x + Real(S(pattern.z[i])) * R_WT.z;
+    for (int j = 0; j < kTirePlanes; ++j, ++n) {
+      const Vec3<Real> p = middle + Real(S((j - 1) * pattern.half_span)) * R_WT.y;
+      LaneTraits<Real>::Store(p.x, x + n * kLanes);
+      LaneTraits<Real>::Store(p.y, y + n * kLanes);
+      tire_z[n] = p.z;
+    }
+  }
+  ground.Heights(n * kLanes, x, y, z);
+  n = 0;
+  for (int i = first; i <= last; ++i) {
+    for (int j = 0; j < kTirePlanes; ++j, ++n) {
+      result[i][j] = LaneTraits<Real>::Load(z + n * kLanes) - tire_z[n];
+    }
+  }
+}
+
+/// Deflection of a tire on flat ground that displaces the same area: A = (4/3) sqrt(2R) d^1.5
+/// (1 - 3d/20R), inverted.
+template <class Real>
+Real EquivalentDeflection(const Real& area, double radius) {
+  using S = ScalarOf<Real>;
+  const Real scaled = area * Real(S(0.75 / (std::numbers::sqrt2 * radius * radius)));
+  const Real root = Cbrt(scaled);
+  const Real ratio = root * root;
+  return Real(S(radius)) * ratio * (Real(1) + Real(S(0.1)) * ratio);
+}
+
+template <class Real>
+void SetContactSoil(const Ground& ground, TireContact<Real>& contact) {
+  using S = ScalarOf<Real>;
+  constexpr int kLanes = LaneTraits<Real>::kLanes;
+  S x[kLanes], y[kLanes], cone_index[kLanes], friction[kLanes];
+  SoilSample soil[kLanes];
+  LaneTraits<Real>::Store(contact.p_WH.x + contact.p_HC_W.x, x);
+  LaneTraits<Real>::Store(contact.p_WH.y + contact.p_HC_W.y, y);
+  ground.Soils(kLanes, x, y, soil);
+  for (int i = 0; i < kLanes; ++i) {
+    cone_index[i] = static_cast<S>(soil[i].cone_index);
+    friction[i] = static_cast<S>(soil[i].friction_limit);
+  }
+  contact.cone_index = LaneTraits<Real>::Load(cone_index);
+  contact.friction_limit = LaneTraits<Real>::Load(friction);
+}
+
+template <class Real>
+Real HighestUnder(const Ground& ground, double radius, const Vec3<Real>& p_WH) {
+  using S = ScalarOf<Real>;
+  constexpr int kLanes = LaneTraits<Real>::kLanes;
+  S x[kLanes], y[kLanes], z[kLanes];
+  LaneTraits<Real>::Store(p_WH.x, x);
+  LaneTraits<Real>::Store(p_WH.y, y);
+  ground.HighestWithin(radius, kLanes, x, y, z);
+  return LaneTraits<Real>::Load(z);
+}
+
+template <class Real>
+ContactSums<Real> SumContact(const TirePattern& pattern, const Ground& ground,
+                             const Mat3<Real>& R_WT, const Vec3<Real>& p_WH, int active) {
+  const int half = pattern.count / 2;
+  std::array<std::array<Real, kTirePlanes>, kMaxLowerPoints> vertical;
+  VerticalPenetrations(pattern, ground, R_WT, p_WH, half - active, half + active, vertical);
+  ContactSums<Real> sums;
+  PointRow<Real> row = ToTireFrame(vertical[half - active], R_WT, pattern.half_span,
+                                   pattern.z[half - active]);
+  for (int i = half - active; i < half + active; ++i) {
+    const PointRow<Real> next =
+        ToTireFrame(vertical[i + 1], R_WT, pattern.half_span, pattern.z[i + 1]);
+    for (int j = 0; j < kTirePlanes; ++j) {
+      AddSegment(row.penetration[j], next.penetration[j], row.ground[j], next.ground[j],
+                 pattern.x[i], pattern.x[i + 1], (j - 1) * pattern.half_span, pattern.bulge[i],
+                 Real(0.5) * (row.slope_y + next.slope_y), sums);
+    }
+    row = next;
+  }
+  return sums;
+}
+
+/// Samples the ground under a wheel whose hub is at p_WH with spin axis y_W (left).
+template <class Real>
+void SampleContact(const TirePattern& pattern, const Ground& ground, const Vec3<Real>& p_WH,
+                   const Vec3<Real>& y_W, TireContact<Real>& contact) {
+  using S = ScalarOf<Real>;
+  const Mat3<Real> R_WT = TireFrame(y_W);
+  contact.p_WH = p_WH;
+  contact.deflection = Real(0);
+  const Real highest = HighestUnder(ground, pattern.radius + pattern.half_span, p_WH);
+  const int active = ActiveHalfCount(pattern, R_WT, p_WH, highest);
+  if (active < 0) return;
+
+  const ContactSums<Real> sums = SumContact(pattern, ground, R_WT, p_WH, active);
+  const Real least_area{S(1e-12)};
+  const Real scale = Real(1) / Max(sums.area, least_area);
+  contact.normal_W = Normalized(R_WT.z - (scale * sums.slope_x) * R_WT.x -
+                                (scale * sums.slope_y) * R_WT.y);
+  contact.p_HC_W = R_WT * Vec3<Real>{scale * sums.x, scale * sums.y, scale * sums.z};
+  contact.deflection =
+      Select(sums.area > least_area,
+             EquivalentDeflection(Real(S(1.0 / kTirePlanes)) * sums.area, pattern.radius), Real(0));
+  SetContactSoil(ground, contact);
+}
+
+}  // namespace dbd
