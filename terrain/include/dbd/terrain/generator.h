@@ -7,10 +7,10 @@ namespace dbd {
 
 /// A synthetic landscape: hills, a brook, soils and trees, the same for the same seed.
 struct GeneratorOptions {
-  int size = 400;            ///< cells in x and in y
-  double cell_size = 1.0;    ///< [m]
-  double relief = 30.0;      ///< highest minus lowest ground [m]
-  double wavelength = 150.0; ///< of the largest hills [m]
+  int size = 400;             ///< cells in x and in y
+  double cell_size = 1.0;     ///< [m]
+  double relief = 30.0;       ///< highest minus lowest ground [m]
+  double wavelength = 150.0;  ///< of the largest hills [m]
   std::uint64_t seed = 1;
   double tree_density = 15;  ///< trees per hectare
   bool walled_goal = false;  ///< digs a closed trench that no vehicle crosses round the map centre

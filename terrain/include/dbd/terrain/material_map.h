@@ -3,6 +3,8 @@
 #include <dbd/core/ground.h>
 #include <dbd/terrain/height_map.h>
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -11,27 +13,39 @@ namespace dbd {
 
 /// One row of a material table.
 struct Material {
-  int code = 0;             ///< the class number in the raster
+  int code = 0;  ///< the class number in the raster
   std::string name;
   SoilSample soil;
   double cone_index_spread = 0.2;  ///< coefficient of variation [-]
-  bool passable = true;     ///< false: never driven on (water, buildings)
-  std::string source;       ///< where the numbers come from, or "assumed"
+  bool passable = true;            ///< false: never driven on (water, buildings)
+  std::string source;              ///< where the numbers come from, or "assumed"
 };
 
-/// Class number -> material, from JSON (schema dbd.materials/1).
+/// Class number -> material, from JSON (schema dbd.materials/1):
+///
+///     {"schema": "dbd.materials/1", "name": "basic", "materials": [
+///       {"code": 3, "name": "gravel", "cone_index_kpa": 2000, "friction_limit": 0.8,
+///        "cone_index_spread": 0.2, "passable": true, "source": "assumed"}]}
+///
+/// `code`, `name` and `cone_index_kpa` must be there; the others default to Material's and
+/// SoilSample's values, `source` to "assumed".
 class MaterialTable {
  public:
   /// `name_or_file`: a built-in table's name or a path. Throws InputError.
   static MaterialTable Load(const std::string& name_or_file);
   static std::vector<std::string> BuiltInNames();
 
+  /// Throws InputError when a code or a name is there twice, or a value is out of range:
+  /// 1 to 255 materials, cone index 0 (exclusive) to 20 MPa, friction limit 0 (exclusive) to 1.5,
+  /// spread 0 to 1, code not negative.
   explicit MaterialTable(std::string name, std::vector<Material> materials);
 
   const std::string& name() const { return name_; }
   const std::vector<Material>& materials() const { return materials_; }
   const Material* FindCode(int code) const;
   const Material* FindName(const std::string& name) const;
+  /// Throws InputError that names the nearest material.
+  const Material& GetName(const std::string& name) const;
 
  private:
   std::string name_;
@@ -49,15 +63,25 @@ class MaterialMap {
 
   /// Material at a place; null outside the class raster or where the class is unknown.
   const Material* At(double x, double y) const;
+
+  /// Where the material is unknown: the softest passable soil of the table.
   void Soils(int count, const double* x, const double* y, SoilSample* soil) const;
+
+  /// Share of the cells of the material at this index of the table; kNone: of unknown cells.
+  double Share(std::uint8_t index) const;
 
   const MaterialTable& table() const { return table_; }
   bool is_uniform() const { return indices_.empty(); }
+  std::size_t memory_bytes() const { return indices_.size(); }
 
  private:
+  std::uint8_t IndexAt(double x, double y) const;
+
   MaterialTable table_;
   HeightMap::Grid grid_;
+  Eigen::Vector2d inverse_cell_size_ = Eigen::Vector2d::Zero();
   std::vector<std::uint8_t> indices_;
+  std::array<SoilSample, 256> soils_;  // by index, so that a look-up has no branch
 };
 
 }  // namespace dbd

@@ -2,6 +2,7 @@
 
 #include <dbd/terrain/height_map.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -14,7 +15,7 @@ class ObstacleMap {
   ObstacleMap() = default;
 
   /// `lowest`: rows x columns, row 0 south; height above ground of the lowest occupied voxel's
-  /// bottom at or above `floor` [m], infinity where free.
+  /// bottom at or above `floor` [m], infinity where free. A cell is a square round its centre.
   ObstacleMap(const HeightMap::Grid& grid, std::vector<float> lowest);
 
   bool empty() const { return lowest_.empty(); }
@@ -29,15 +30,22 @@ class ObstacleMap {
   /// Share of the cells that hold an obstacle below `height`.
   double BlockedShare(double height) const;
 
+  /// rows x columns, as given.
+  const std::vector<float>& lowest() const { return lowest_; }
   const HeightMap::Grid& grid() const { return grid_; }
+  std::size_t memory_bytes() const { return lowest_.size() * sizeof(float); }
 
  private:
   HeightMap::Grid grid_;
   std::vector<float> lowest_;
 };
 
-/// Reads a .bt or .ot file and projects it on the ground. Voxels less than `floor` above the
-/// ground count as ground. `offset`: W coordinates of the map's x = y = 0. Throws InputError.
+/// Reads a .bt or .ot file (an OcTree) and projects it on the ground. Occupied voxels whose bottom
+/// is less than `floor` [m] above the ground, at the middle of their cell, count as ground.
+/// `offset`: W coordinates of the octree's x = y = 0; its z is the height in W. The layer has the
+/// octree's resolution and covers its obstacles inside the ground.
+/// Throws InputError when the file is not such a tree, is corrupt, or all of its obstacles lie
+/// outside the ground.
 ObstacleMap LoadObstacles(const std::string& file, const HeightMap& ground,
                           const Eigen::Vector2d& offset, double floor = 0.3);
 

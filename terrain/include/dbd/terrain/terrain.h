@@ -15,12 +15,12 @@ namespace dbd {
 
 /// Where a terrain comes from. Only `elevation` is required.
 struct TerrainFiles {
-  std::string elevation;        ///< any single-band raster that GDAL opens
-  std::string materials;        ///< class raster, integer
-  std::string material_table;   ///< JSON file, or the name of a table that is built in
-  std::string obstacles;        ///< OctoMap .bt or .ot
+  std::string elevation;       ///< any single-band raster that GDAL opens
+  std::string materials;       ///< class raster, integer
+  std::string material_table;  ///< JSON file, or the name of a table that is built in
+  std::string obstacles;       ///< OctoMap .bt or .ot
   Eigen::Vector2d obstacles_origin = Eigen::Vector2d::Zero();  ///< map coordinates of its x = y = 0
-  bool obstacles_in_map_coordinates = true;  ///< false: obstacles_origin is used
+  bool obstacles_in_map_coordinates = true;                    ///< false: obstacles_origin is used
   std::string default_material = "firm-soil";  ///< where there is no material raster
 };
 

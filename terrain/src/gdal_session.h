@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cpl_error.h>
+
+#include <string>
+
+namespace dbd {
+
+/// While it lives, GDAL's messages on this thread are kept here instead of printed, and GDAL's
+/// drivers are registered.
+class GdalSession {
+ public:
+  GdalSession();
+  ~GdalSession();
+  GdalSession(const GdalSession&) = delete;
+  GdalSession& operator=(const GdalSession&) = delete;
+
+  /// First error since the session began or since ForgetError, as one line; empty when none.
+  const std::string& error() const { return error_; }
+  void ForgetError() { error_.clear(); }
+
+  /// error(), or `otherwise` when GDAL gave no reason.
+  std::string Reason(const std::string& otherwise) const;
+
+ private:
+  static void Keep(CPLErr level, CPLErrorNum number, const char* message);
+
+  std::string error_;
+};
+
+}  // namespace dbd

@@ -1,0 +1,193 @@
+#include <dbd/core/error.h>
+#include <dbd/terrain/height_map.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "continue_heights.h"
+
+namespace dbd {
+namespace {
+
+// Tiles of the bound are about this wide where cells are smaller: a wheel's radius fits [m].
+constexpr double kTileWidth = 1.0;
+
+// Tiles of an n-cell axis.
+int TileCount(int cells, int tile_cells) { return (cells - 2) / tile_cells + 1; }
+
+// A coordinate in cells, held inside the grid; not a number becomes 0.
+double ClampIndex(double index, double last) { return std::min(std::max(0.0, index), last); }
+
+// The square that holds an index coordinate; the last point belongs to the last square.
+int SquareOf(double index, double last) { return static_cast<int>(std::min(index, last - 1.0)); }
+
+}  // namespace
+
+HeightMap::HeightMap(const Grid& grid, const std::vector<float>& heights, double base_height)
+    : grid_(grid),
+      base_height_(base_height),
+      inverse_cell_size_(grid.cell_size.cwiseInverse()),
+      last_index_(grid.columns - 1, grid.rows - 1) {
+  if (grid.columns < 2 || grid.rows < 2) {
+    throw InputError("a height map needs at least 2 x 2 cells, got " +
+                     std::to_string(grid.columns) + " x " + std::to_string(grid.rows));
+  }
+  DBD_ASSERT(heights.size() == grid.CellCount());
+  DBD_ASSERT(grid.cell_size.minCoeff() > 0);
+  MarkKnown(heights);
+  std::vector<float> continued = heights;
+  if (unknown_share_ > 0) ContinueHeightsIntoUnknown(&continued);
+  StoreRowPairs(continued);
+  BuildHighestTiles(continued);
+}
+
+double HeightMap::Height(double x, double y) const {
+  double z = 0;
+  Heights(1, &x, &y, &z);
+  return z;
+}
+
+void HeightMap::Heights(int count, const double* x, const double* y, double* z) const {
+  const RowPair* pairs = row_pairs_.data();
+  const double first_x = grid_.first_center.x();
+  const double first_y = grid_.first_center.y();
+  const double per_x = inverse_cell_size_.x();
+  const double per_y = inverse_cell_size_.y();
+  const double last_u = last_index_.x();
+  const double last_v = last_index_.y();
+  const auto columns = static_cast<std::size_t>(grid_.columns);
+  const double base = base_height_;
+  for (int i = 0; i < count; ++i) {
+    const double u = ClampIndex((x[i] - first_x) * per_x, last_u);
+    const double v = ClampIndex((y[i] - first_y) * per_y, last_v);
+    const int column = SquareOf(u, last_u);
+    const int row = SquareOf(v, last_v);
+    const RowPair* west = pairs + static_cast<std::size_t>(row) * columns + column;
+    const double east_weight = u - column;
+    const double north_weight = v - row;
+    const double south_z = west[0].south + east_weight * (double{west[1].south} - west[0].south);
+    const double north_z = west[0].north + east_weight * (double{west[1].north} - west[0].north);
+    z[i] = base + (south_z + north_weight * (north_z - south_z));
+  }
+}
+
+double HeightMap::HighestWithin(double radius, double x, double y) const {
+  const double u =
+      ClampIndex((x - grid_.first_center.x()) * inverse_cell_size_.x(), last_index_.x());
+  const double v =
+      ClampIndex((y - grid_.first_center.y()) * inverse_cell_size_.y(), last_index_.y());
+  const int column = SquareOf(u, last_index_.x()) / tile_cells_;
+  const int row = SquareOf(v, last_index_.y()) / tile_cells_;
+  const auto at = [this](int tile_column, int tile_row) {
+    return highest_nearby_[static_cast<std::size_t>(tile_row) * tile_columns_ + tile_column];
+  };
+  if (radius <= tile_width_) return base_height_ + at(column, row);
+
+  // Each tile answers for its neighbours too, so one less ring is read.
+  const double rings = std::min(1e6, std::ceil(radius / tile_width_) - 1.0);
+  const int reach = static_cast<int>(rings);
+  float highest = -std::numeric_limits<float>::infinity();
+  for (int r = std::max(0, row - reach); r <= std::min(tile_rows_ - 1, row + reach); ++r) {
+    for (int c = std::max(0, column - reach); c <= std::min(tile_columns_ - 1, column + reach);
+         ++c) {
+      highest = std::max(highest, at(c, r));
+    }
+  }
+  return base_height_ + highest;
+}
+
+bool HeightMap::IsKnown(double x, double y) const {
+  const double u = (x - grid_.first_center.x()) * inverse_cell_size_.x();
+  const double v = (y - grid_.first_center.y()) * inverse_cell_size_.y();
+  const bool inside = u >= 0 && u <= last_index_.x() && v >= 0 && v <= last_index_.y();
+  if (!inside) return false;
+  const int column = SquareOf(u, last_index_.x());
+  const int row = SquareOf(v, last_index_.y());
+  return IsCellKnown(column, row) && IsCellKnown(column + 1, row) && IsCellKnown(column, row + 1) &&
+         IsCellKnown(column + 1, row + 1);
+}
+
+bool HeightMap::IsCellKnown(int column, int row) const {
+  return known_[static_cast<std::size_t>(row) * grid_.columns + column] != 0;
+}
+
+double HeightMap::CellHeight(int column, int row) const {
+  const bool last_row = row == grid_.rows - 1;
+  const RowPair& pair =
+      row_pairs_[static_cast<std::size_t>(last_row ? row - 1 : row) * grid_.columns + column];
+  return base_height_ + double{last_row ? pair.north : pair.south};
+}
+
+std::size_t HeightMap::memory_bytes() const {
+  return row_pairs_.size() * sizeof(RowPair) + known_.size() +
+         highest_nearby_.size() * sizeof(float);
+}
+
+std::size_t HeightMap::MemoryNeed(std::size_t cells) {
+  return cells * (sizeof(RowPair) + sizeof(std::uint8_t) + sizeof(float));
+}
+
+void HeightMap::MarkKnown(const std::vector<float>& heights) {
+  known_.resize(heights.size());
+  std::size_t unknown = 0;
+  float lowest = std::numeric_limits<float>::infinity();
+  float highest = -lowest;
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    known_[i] = std::isfinite(heights[i]);
+    if (known_[i]) {
+      lowest = std::min(lowest, heights[i]);
+      highest = std::max(highest, heights[i]);
+    } else {
+      ++unknown;
+    }
+  }
+  if (unknown == heights.size()) throw InputError("no cell of the height map is known");
+  unknown_share_ = static_cast<double>(unknown) / static_cast<double>(heights.size());
+  lowest_ = base_height_ + lowest;
+  highest_ = base_height_ + highest;
+}
+
+void HeightMap::ContinueHeightsIntoUnknown(std::vector<float>* heights) const {
+  ContinueFromNearest(grid_.columns, grid_.rows, grid_.cell_size, known_, heights);
+}
+
+void HeightMap::StoreRowPairs(const std::vector<float>& heights) {
+  const auto columns = static_cast<std::size_t>(grid_.columns);
+  row_pairs_.resize(columns * static_cast<std::size_t>(grid_.rows - 1));
+  for (std::size_t i = 0; i < row_pairs_.size(); ++i) {
+    row_pairs_[i] = {heights[i], heights[i + columns]};
+  }
+}
+
+void HeightMap::BuildHighestTiles(const std::vector<float>& heights) {
+  tile_cells_ = std::max(1, static_cast<int>(kTileWidth / grid_.cell_size.minCoeff()));
+  tile_width_ = tile_cells_ * grid_.cell_size.minCoeff();
+  tile_columns_ = TileCount(grid_.columns, tile_cells_);
+  tile_rows_ = TileCount(grid_.rows, tile_cells_);
+  // Separable: first along each row of the grid, then across rows. A tile t and its neighbours
+  // span the cells (t - 1) n ... (t + 2) n.
+  const auto tiles = static_cast<std::size_t>(tile_columns_);
+  std::vector<float> along_rows(tiles * static_cast<std::size_t>(grid_.rows));
+  for (int row = 0; row < grid_.rows; ++row) {
+    const float* line = heights.data() + static_cast<std::size_t>(row) * grid_.columns;
+    for (int t = 0; t < tile_columns_; ++t) {
+      const int first = std::max(0, (t - 1) * tile_cells_);
+      const int last = std::min(grid_.columns - 1, (t + 2) * tile_cells_);
+      along_rows[row * tiles + t] = *std::max_element(line + first, line + last + 1);
+    }
+  }
+  highest_nearby_.assign(tiles * static_cast<std::size_t>(tile_rows_),
+                         -std::numeric_limits<float>::infinity());
+  for (int t = 0; t < tile_rows_; ++t) {
+    const int last = std::min(grid_.rows - 1, (t + 2) * tile_cells_);
+    for (int row = std::max(0, (t - 1) * tile_cells_); row <= last; ++row) {
+      for (std::size_t c = 0; c < tiles; ++c) {
+        float& highest = highest_nearby_[t * tiles + c];
+        highest = std::max(highest, along_rows[row * tiles + c]);
+      }
+    }
+  }
+}
+
+}  // namespace dbd

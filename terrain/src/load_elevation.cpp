@@ -1,0 +1,123 @@
+#include "load_elevation.h"
+
+#include <dbd/core/error.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "raster_file.h"
+#include "warp_raster.h"
+
+namespace dbd {
+namespace {
+
+constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+
+// While loading: the raster, a copy when it is warped, and the finished map.
+const std::size_t kBytesPerCell = 2 * sizeof(float) + HeightMap::MemoryNeed(1);
+
+// Values that files without a nodata entry use for it.
+bool IsNeverAHeight(double height) {
+  return !std::isfinite(height) || height == -9999.0 || std::abs(height) > 30e3;
+}
+
+double MetersPerUnit(const std::string& unit) {
+  if (unit == "ft" || unit == "foot" || unit == "feet") return 0.3048;
+  if (unit == "US survey foot" || unit == "ftUS" || unit == "sfoot") return 1200.0 / 3937.0;
+  return 1.0;
+}
+
+class BandReader {
+ public:
+  explicit BandReader(const RasterFile& file)
+      : file_(file),
+        band_(file.band()),
+        mask_(band_->GetMaskBand()),
+        values_(band_->GetXSize()),
+        is_known_(band_->GetXSize()) {
+    const double to_meters = MetersPerUnit(band_->GetUnitType());
+    scale_ = band_->GetScale() * to_meters;
+    offset_ = band_->GetOffset() * to_meters;
+    if (!std::isfinite(scale_) || scale_ == 0 || !std::isfinite(offset_)) {
+      file_.Fail("its scale or offset is not a usable number");
+    }
+  }
+
+  // Heights [m], not a number where unknown.
+  const std::vector<double>& Row(int row) {
+    const GdalSession gdal;
+    const int columns = band_->GetXSize();
+    const CPLErr read = band_->RasterIO(GF_Read, 0, row, columns, 1, values_.data(), columns, 1,
+                                        GDT_Float64, 0, 0, nullptr);
+    const CPLErr masked = mask_->RasterIO(GF_Read, 0, row, columns, 1, is_known_.data(), columns, 1,
+                                          GDT_Byte, 0, 0, nullptr);
+    if (read != CE_None || masked != CE_None || !gdal.error().empty()) {
+      file_.Fail("is corrupt at row " + std::to_string(row) + ": " + gdal.Reason("read error"));
+    }
+    for (int i = 0; i < columns; ++i) {
+      const bool unknown = is_known_[i] == 0 || IsNeverAHeight(values_[i]);
+      values_[i] =
+          unknown ? std::numeric_limits<double>::quiet_NaN() : scale_ * values_[i] + offset_;
+    }
+    return values_;
+  }
+
+ private:
+  const RasterFile& file_;
+  GDALRasterBand* band_;
+  GDALRasterBand* mask_;
+  double scale_ = 1;
+  double offset_ = 0;
+  std::vector<double> values_;
+  std::vector<std::uint8_t> is_known_;
+};
+
+// A round number near the raster's heights, so that floats relative to it are exact.
+double BaseHeightOf(const std::vector<double>& row) {
+  const auto known =
+      std::find_if(row.begin(), row.end(), [](double h) { return std::isfinite(h); });
+  return known == row.end() ? std::numeric_limits<double>::quiet_NaN() : std::round(*known);
+}
+
+void ReadHeights(const RasterFile& file, ElevationRaster* raster) {
+  const HeightMap::Grid& grid = raster->grid;
+  raster->heights.assign(grid.CellCount(), kUnknown);
+  BandReader reader(file);
+  bool has_base = false;
+  for (int row = 0; row < grid.rows; ++row) {
+    const std::vector<double>& heights = reader.Row(row);
+    if (!has_base) {
+      const double base = BaseHeightOf(heights);
+      if (std::isnan(base)) continue;
+      raster->base_height = base;
+      has_base = true;
+    }
+    const int target = file.is_south_up() ? row : grid.rows - 1 - row;
+    float* line = raster->heights.data() + static_cast<std::size_t>(target) * grid.columns;
+    for (int i = 0; i < grid.columns; ++i) {
+      line[i] = static_cast<float>(heights[i] - raster->base_height);
+    }
+  }
+  if (!has_base) file.Fail("holds no known height, every cell is nodata");
+}
+
+}  // namespace
+
+ElevationRaster LoadElevation(const std::string& name) {
+  const RasterFile file(name);
+  ElevationRaster raster;
+  raster.grid = file.Grid();
+  if (raster.grid.columns < 2 || raster.grid.rows < 2) {
+    file.Fail("is " + std::to_string(raster.grid.columns) + " x " +
+              std::to_string(raster.grid.rows) + " cells, at least 2 x 2 are needed");
+  }
+  CheckMemoryNeed(name, raster.grid.columns, raster.grid.rows, kBytesPerCell);
+  ReadHeights(file, &raster);
+  if (file.crs() == nullptr) return raster;
+  raster.source_wkt = raster.map_wkt = WktOf(*file.crs());
+  if (NeedsWarp(*file.crs(), raster.grid)) WarpToUtm(name, kBytesPerCell, &raster);
+  return raster;
+}
+
+}  // namespace dbd

@@ -1,0 +1,98 @@
+#include <dbd/core/error.h>
+#include <dbd/terrain/terrain.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <unordered_map>
+#include <utility>
+
+#include "load_classes.h"
+#include "load_elevation.h"
+
+namespace dbd {
+namespace {
+
+constexpr const char* kDefaultTable = "basic";
+
+LocalFrame MakeFrame(const ElevationRaster& elevation) {
+  const HeightMap::Grid& grid = elevation.grid;
+  const Eigen::Vector2d center =
+      0.5 * (grid.first_center + grid.Center(grid.columns - 1, grid.rows - 1));
+  // Whole metres, so that local and map coordinates differ by a number that is easy to read.
+  LocalFrame frame(elevation.map_wkt,
+                   Eigen::Vector2d(std::round(center.x()), std::round(center.y())));
+  frame.set_source_wkt(elevation.source_wkt);
+  return frame;
+}
+
+HeightMap MakeHeights(const ElevationRaster& elevation, const LocalFrame& frame) {
+  HeightMap::Grid grid = elevation.grid;
+  grid.first_center = frame.ToLocal(grid.first_center);
+  return HeightMap(grid, elevation.heights, elevation.base_height);
+}
+
+[[noreturn]] void FailUnknownCode(const std::string& file, int code, const Eigen::Vector2d& place,
+                                  const MaterialTable& table) {
+  char text[200];
+  std::snprintf(text, sizeof text, ": class %d at %.1f, %.1f is not in the material table '%s'",
+                code, place.x(), place.y(), table.name().c_str());
+  throw InputError(file + text);
+}
+
+// Class numbers -> indices into the table.
+std::vector<std::uint8_t> ToIndices(const std::string& file, const HeightMap::Grid& map_grid,
+                                    const std::vector<std::int32_t>& classes,
+                                    const MaterialTable& table) {
+  std::unordered_map<std::int32_t, std::uint8_t> index_of = {{kNoClass, MaterialMap::kNone}};
+  for (std::size_t i = 0; i < table.materials().size(); ++i) {
+    index_of[table.materials()[i].code] = static_cast<std::uint8_t>(i);
+  }
+  std::vector<std::uint8_t> indices(classes.size());
+  for (std::size_t i = 0; i < classes.size(); ++i) {
+    const auto known = index_of.find(classes[i]);
+    if (known == index_of.end()) {
+      const int column = static_cast<int>(i % map_grid.columns);
+      const int row = static_cast<int>(i / map_grid.columns);
+      FailUnknownCode(file, classes[i], map_grid.Center(column, row), table);
+    }
+    indices[i] = known->second;
+  }
+  return indices;
+}
+
+MaterialMap LoadMaterials(const TerrainFiles& files, const ElevationRaster& elevation,
+                          const LocalFrame& frame) {
+  MaterialTable table =
+      MaterialTable::Load(files.material_table.empty() ? kDefaultTable : files.material_table);
+  if (files.materials.empty()) return MaterialMap(table.GetName(files.default_material));
+  const std::vector<std::int32_t> classes =
+      LoadClasses(files.materials, elevation.grid, elevation.map_wkt);
+  std::vector<std::uint8_t> indices = ToIndices(files.materials, elevation.grid, classes, table);
+  HeightMap::Grid grid = elevation.grid;
+  grid.first_center = frame.ToLocal(grid.first_center);
+  return MaterialMap(std::move(table), grid, std::move(indices));
+}
+
+ObstacleMap LoadObstacleLayer(const TerrainFiles& files, const HeightMap& heights,
+                              const LocalFrame& frame) {
+  if (files.obstacles.empty()) return {};
+  const Eigen::Vector2d zero_in_map =
+      files.obstacles_in_map_coordinates ? Eigen::Vector2d::Zero() : files.obstacles_origin;
+  return LoadObstacles(files.obstacles, heights, frame.ToLocal(zero_in_map));
+}
+
+}  // namespace
+
+std::shared_ptr<const Terrain> LoadTerrain(const TerrainFiles& files) {
+  const ElevationRaster elevation = LoadElevation(files.elevation);
+  LocalFrame frame = MakeFrame(elevation);
+  HeightMap heights = MakeHeights(elevation, frame);
+  MaterialMap materials = LoadMaterials(files, elevation, frame);
+  ObstacleMap obstacles = LoadObstacleLayer(files, heights, frame);
+  return std::make_shared<const Terrain>(std::move(frame), std::move(heights), std::move(materials),
+                                         std::move(obstacles));
+}
+
+}  // namespace dbd

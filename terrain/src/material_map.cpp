@@ -1,0 +1,72 @@
+#include <dbd/core/error.h>
+#include <dbd/terrain/material_map.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace dbd {
+namespace {
+
+SoilSample SoftestPassable(const std::vector<Material>& materials) {
+  const Material* softest = nullptr;
+  for (const Material& material : materials) {
+    if (!material.passable) continue;
+    if (softest == nullptr || material.soil.cone_index < softest->soil.cone_index) {
+      softest = &material;
+    }
+  }
+  return softest != nullptr ? softest->soil : materials.front().soil;
+}
+
+}  // namespace
+
+MaterialMap::MaterialMap(const Material& everywhere) : table_("uniform", {everywhere}) {
+  soils_.fill(everywhere.soil);
+}
+
+MaterialMap::MaterialMap(MaterialTable table, const HeightMap::Grid& grid,
+                         std::vector<std::uint8_t> indices)
+    : table_(std::move(table)),
+      grid_(grid),
+      inverse_cell_size_(grid.cell_size.cwiseInverse()),
+      indices_(std::move(indices)) {
+  DBD_ASSERT(indices_.size() == grid_.CellCount() && !indices_.empty());
+  const std::vector<Material>& materials = table_.materials();
+  for (const std::uint8_t index : indices_) {
+    DBD_ASSERT(index == kNone || index < materials.size());
+  }
+  soils_.fill(SoftestPassable(materials));
+  for (std::size_t i = 0; i < materials.size(); ++i) soils_[i] = materials[i].soil;
+}
+
+const Material* MaterialMap::At(double x, double y) const {
+  if (is_uniform()) return &table_.materials().front();
+  const std::uint8_t index = IndexAt(x, y);
+  return index == kNone ? nullptr : &table_.materials()[index];
+}
+
+void MaterialMap::Soils(int count, const double* x, const double* y, SoilSample* soil) const {
+  if (is_uniform()) {
+    std::fill_n(soil, count, soils_[0]);
+    return;
+  }
+  for (int i = 0; i < count; ++i) soil[i] = soils_[IndexAt(x[i], y[i])];
+}
+
+double MaterialMap::Share(std::uint8_t index) const {
+  if (is_uniform()) return index == 0 ? 1.0 : 0.0;
+  return static_cast<double>(std::count(indices_.begin(), indices_.end(), index)) /
+         static_cast<double>(indices_.size());
+}
+
+std::uint8_t MaterialMap::IndexAt(double x, double y) const {
+  const double u = (x - grid_.first_center.x()) * inverse_cell_size_.x() + 0.5;
+  const double v = (y - grid_.first_center.y()) * inverse_cell_size_.y() + 0.5;
+  const bool inside = u >= 0 && u < grid_.columns && v >= 0 && v < grid_.rows;
+  if (!inside) return kNone;
+  return indices_[static_cast<std::size_t>(v) * static_cast<std::size_t>(grid_.columns) +
+                  static_cast<std::size_t>(u)];
+}
+
+}  // namespace dbd

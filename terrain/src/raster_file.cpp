@@ -1,0 +1,109 @@
+#include "raster_file.h"
+
+#include <dbd/core/error.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+
+namespace dbd {
+namespace {
+
+GDALDatasetUniquePtr Open(const std::string& name) {
+  const GdalSession gdal;
+  GDALDatasetUniquePtr dataset(
+      GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
+  if (dataset) return dataset;
+  std::error_code ignored;
+  const std::filesystem::path path(name);
+  if (std::filesystem::is_directory(path, ignored)) {
+    throw InputError(name + ": is a directory, not a raster");
+  }
+  if (name.rfind("/vsi", 0) != 0 && !std::filesystem::exists(path, ignored)) {
+    throw InputError(name + ": no such file");
+  }
+  throw InputError(name + ": cannot be read as a raster: " + gdal.Reason("format not recognised"));
+}
+
+}  // namespace
+
+RasterFile::RasterFile(const std::string& file) : name_(file), dataset_(Open(file)) {
+  const GdalSession gdal;
+  CheckBand();
+  ReadTransform();
+  ReadCrs();
+}
+
+void RasterFile::Fail(const std::string& what) const { throw InputError(name_ + ": " + what); }
+
+HeightMap::Grid RasterFile::Grid() const {
+  return GridOfTransform(transform_, dataset_->GetRasterXSize(), dataset_->GetRasterYSize());
+}
+
+void RasterFile::CheckBand() const {
+  const int bands = dataset_->GetRasterCount();
+  if (bands == 0) Fail("holds no raster band");
+  if (bands > 1) Fail("holds " + std::to_string(bands) + " bands, one is needed");
+  const GDALDataType type = band()->GetRasterDataType();
+  if (GDALDataTypeIsComplex(type)) {
+    Fail(std::string("holds complex numbers (") + GDALGetDataTypeName(type) + ")");
+  }
+}
+
+void RasterFile::ReadTransform() {
+  if (dataset_->GetGeoTransform(transform_) != CE_None) {
+    Fail("has no georeference, so the size of its cells is not known");
+  }
+  if (!std::all_of(transform_, transform_ + 6, [](double t) { return std::isfinite(t); })) {
+    Fail("its georeference is not finite");
+  }
+  const double turn = std::max(std::abs(transform_[2]), std::abs(transform_[4]));
+  const double side = std::min(std::abs(transform_[1]), std::abs(transform_[5]));
+  const double cells = std::max(dataset_->GetRasterXSize(), dataset_->GetRasterYSize());
+  if (turn * cells > 1e-3 * side) Fail("is rotated; a raster whose rows run east-west is needed");
+  if (transform_[1] <= 0 || side <= 0) Fail("its cells have no positive width and height");
+}
+
+void RasterFile::ReadCrs() {
+  const OGRSpatialReference* crs = dataset_->GetSpatialRef();
+  if (crs == nullptr || crs->IsEmpty() || crs->IsLocal()) return;
+  crs_ = *crs;
+  crs_.StripVertical();
+  crs_.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  if (!crs_.IsProjected() && !crs_.IsGeographic()) {
+    Fail("its coordinate system is neither projected nor geographic");
+  }
+  has_crs_ = true;
+}
+
+void CheckMemoryNeed(const std::string& name, int columns, int rows, std::size_t bytes_per_cell) {
+  const double bytes = static_cast<double>(columns) * rows * static_cast<double>(bytes_per_cell);
+  if (bytes <= kMemoryLimitBytes) return;
+  char text[160];
+  std::snprintf(text, sizeof text,
+                ": %d x %d cells need %.1f GB of memory, at most %.1f GB are allowed", columns,
+                rows, bytes / 1e9, kMemoryLimitBytes / 1e9);
+  throw InputError(name + text);
+}
+
+HeightMap::Grid GridOfTransform(const double* transform, int columns, int rows) {
+  HeightMap::Grid grid;
+  grid.columns = columns;
+  grid.rows = rows;
+  grid.cell_size = {transform[1], std::abs(transform[5])};
+  const double south = transform[5] > 0 ? transform[3] : transform[3] + rows * transform[5];
+  grid.first_center = Eigen::Vector2d(transform[0], south) + 0.5 * grid.cell_size;
+  return grid;
+}
+
+std::string WktOf(const OGRSpatialReference& crs) {
+  char* text = nullptr;
+  const char* const options[] = {"FORMAT=WKT2_2019", nullptr};
+  crs.exportToWkt(&text, options);
+  std::string wkt = text != nullptr ? text : "";
+  CPLFree(text);
+  return wkt;
+}
+
+}  // namespace dbd

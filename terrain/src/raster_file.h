@@ -1,0 +1,59 @@
+#pragma once
+
+#include <dbd/terrain/height_map.h>
+#include <gdal_priv.h>
+
+#include <cstddef>
+#include <string>
+
+#include "gdal_session.h"
+
+namespace dbd {
+
+/// A raster larger than this in memory is refused.
+inline constexpr double kMemoryLimitBytes = 4.0 * 1024 * 1024 * 1024;
+
+/// A raster that was opened and can be used: one band of real numbers with a place on the map,
+/// not rotated.
+class RasterFile {
+ public:
+  /// Throws InputError that names the file and what is wrong with it.
+  explicit RasterFile(const std::string& file);
+
+  const std::string& name() const { return name_; }
+  GDALDataset* dataset() const { return dataset_.get(); }
+  GDALRasterBand* band() const { return dataset_->GetRasterBand(1); }
+
+  /// Cells as the file has them, row 0 south, in the file's coordinates.
+  HeightMap::Grid Grid() const;
+  /// Rows of the file run from south to north.
+  bool is_south_up() const { return transform_[5] > 0; }
+
+  /// Coordinate system without its vertical part; null when the file has none.
+  const OGRSpatialReference* crs() const { return has_crs_ ? &crs_ : nullptr; }
+
+  /// Throws InputError with the file's name.
+  [[noreturn]] void Fail(const std::string& what) const;
+
+ private:
+  void CheckBand() const;
+  void ReadTransform();
+  void ReadCrs();
+
+  std::string name_;
+  GDALDatasetUniquePtr dataset_;
+  double transform_[6] = {};
+  OGRSpatialReference crs_;
+  bool has_crs_ = false;
+};
+
+/// Throws InputError with `name` when `cells` at `bytes_per_cell` exceed the limit.
+void CheckMemoryNeed(const std::string& name, int columns, int rows, std::size_t bytes_per_cell);
+
+/// Height of the top edge to the south edge turned round: grid of a north-up or south-up
+/// geotransform (`transform`: six numbers as GDAL gives them), row 0 south.
+HeightMap::Grid GridOfTransform(const double* transform, int columns, int rows);
+
+std::string WktOf(const OGRSpatialReference& crs);
+
+}  // namespace dbd
