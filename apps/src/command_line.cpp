@@ -1,0 +1,208 @@
+#include "command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <map>
+
+#ifndef DBD_VERSION
+#error "DBD_VERSION is set by the build"
+#endif
+
+namespace dbd {
+namespace {
+
+const char kHeadingNote[] =
+    "Headings are compass degrees: 0 = north, clockwise (inside: yaw = pi/2 - heading). "
+    "Map coordinates are those of the elevation file's own system; wgs84 means lon,lat.";
+
+CLI::App* AddCommand(CLI::App* parent, const std::string& name, const std::string& description,
+                     const std::string& footer) {
+  CLI::App* command = parent->add_subcommand(name, description);
+  command->footer(footer);
+  command->fallthrough();
+  return command;
+}
+
+void AddTerrainFlags(CLI::App* command, TerrainArguments* terrain) {
+  command->add_option("--dem", terrain->dem, "Elevation: any single-band raster that GDAL opens")
+      ->required()
+      ->option_text("FILE");
+  command->add_option("--materials", terrain->materials, "Class raster: which soil lies where")
+      ->option_text("FILE");
+  command
+      ->add_option("--material-table", terrain->material_table,
+                   "What the classes mean: a built-in table or a JSON file")
+      ->option_text("NAME|FILE");
+  command->add_option("--obstacles", terrain->obstacles, "OctoMap, .bt or .ot")
+      ->option_text("FILE");
+  command
+      ->add_option("--obstacles-origin", terrain->obstacles_origin,
+                   "Map coordinates of the OctoMap's x = y = 0, when it has a frame of its own")
+      ->option_text("X,Y");
+}
+
+void AddVehicleFlag(CLI::App* command, std::string* vehicle) {
+  command->add_option("--vehicle", *vehicle, "Built-in vehicle (dbd vehicle list) or JSON file")
+      ->required()
+      ->option_text("NAME|FILE");
+}
+
+void AddCoordinatesFlag(CLI::App* command, Coordinates* coordinates) {
+  static const std::map<std::string, Coordinates> kNames = {{"map", Coordinates::kMap},
+                                                            {"wgs84", Coordinates::kWgs84}};
+  command->add_option("--coords", *coordinates, "How coordinates are meant, default map")
+      ->transform(CLI::Transformer(kNames))
+      ->check(CLI::IsMember(kNames))
+      ->option_text("map|wgs84");
+}
+
+void AddOutFlag(CLI::App* command, std::string* out) {
+  command->add_option("--out", *out, "Directory for the results, created when missing")
+      ->required()
+      ->option_text("DIR");
+}
+
+void AddJsonFlag(CLI::App* command, bool* json, const std::string& what) {
+  command->add_flag("--json", *json, "Print " + what + " on standard output");
+}
+
+void DeclarePlan(CLI::App* app, Commands* commands) {
+  PlanArguments* plan = &commands->plan;
+  CLI::App* command = AddCommand(
+      app, "plan", "Find a route and prove it by driving it in simulation",
+      std::string(kHeadingNote) +
+          "\nExit codes: 0 route, 2 bad input, 3 no safe route, 4 stopped.\n"
+          "Example:\n  dbd plan --dem hills.tif --vehicle tomcar-tm27 --start 564050,146300 "
+          "--goal 564950,146850 --out out/");
+  AddTerrainFlags(command, &plan->terrain);
+  AddVehicleFlag(command, &plan->vehicle);
+  command->add_option("--start", plan->start, "Where from")
+      ->required()
+      ->option_text("X,Y[,HEADING_DEG]");
+  command->add_option("--goal", plan->goal, "Where to")
+      ->required()
+      ->option_text("X,Y[,HEADING_DEG]");
+  AddCoordinatesFlag(command, &plan->coordinates);
+  command->add_option("--candidates", plan->candidates, "Routes to drive, default 32")
+      ->check(CLI::Range(1, 100000))
+      ->option_text("N");
+  command
+      ->add_option("--max-speed-kmh", plan->max_speed_kmh,
+                   "Target speed on open ground, default 28.8")
+      ->check(CLI::Range(0.1, 500.0))
+      ->option_text("V");
+  command->add_option("--seed", plan->seed, "Of the sampling, default 1")->option_text("N");
+  command->add_option("--threads", plan->threads, "0 = all processors, the default")
+      ->check(CLI::Range(0, 4096))
+      ->option_text("N");
+  AddOutFlag(command, &plan->out);
+  AddJsonFlag(command, &plan->json, "plan.json instead of the summary");
+  command->callback([commands, plan] { commands->run = [plan] { return RunPlan(*plan); }; });
+}
+
+void DeclareSimulate(CLI::App* app, Commands* commands) {
+  SimulateArguments* simulate = &commands->simulate;
+  CLI::App* command = AddCommand(
+      app, "simulate", "Drive one given path, or straight ahead, and write the time series",
+      std::string(kHeadingNote) +
+          "\nExit codes: 0 drove to the end, 2 bad input, 3 stopped by the terrain.\n"
+          "Example:\n  dbd simulate --dem hills.tif --vehicle tomcar-tm27 --path track.gpx "
+          "--speed-kmh 20 --out drive/");
+  AddTerrainFlags(command, &simulate->terrain);
+  AddVehicleFlag(command, &simulate->vehicle);
+  command->add_option("--path", simulate->path, "Line to follow: GPX, GeoJSON, KML or CSV")
+      ->option_text("FILE");
+  command
+      ->add_option("--start", simulate->start,
+                   "Default: the path's first point and direction; without a path the middle of "
+                   "the map, heading east")
+      ->option_text("X,Y[,HEADING_DEG]");
+  AddCoordinatesFlag(command, &simulate->coordinates);
+  command->add_option("--speed-kmh", simulate->speed_kmh, "Target speed, default 18")
+      ->check(CLI::Range(0.1, 500.0))
+      ->option_text("V");
+  command
+      ->add_option("--duration-s", simulate->duration,
+                   "Longest drive; default 60, or what the path needs when that is more")
+      ->check(CLI::Range(0.1, 1e6))
+      ->option_text("T");
+  AddOutFlag(command, &simulate->out);
+  AddJsonFlag(command, &simulate->json, "simulate.json instead of the summary");
+  command->callback(
+      [commands, simulate] { commands->run = [simulate] { return RunSimulate(*simulate); }; });
+}
+
+void DeclareTerrainGenerate(CLI::App* terrain, Commands* commands) {
+  TerrainGenerateArguments* generate = &commands->terrain_generate;
+  GeneratorOptions* options = &generate->options;
+  CLI::App* command =
+      AddCommand(terrain, "generate", "Write a synthetic landscape: hills, brook, soils and trees",
+                 "Example:\n  dbd terrain generate --seed 7 --out land/");
+  AddOutFlag(command, &generate->out);
+  command->add_option("--seed", options->seed, "Which landscape, default 1")->option_text("N");
+  command->add_option("--size", options->size, "Cells in x and in y, default 400")
+      ->option_text("N");
+  command->add_option("--cell-size-m", options->cell_size, "Default 1")->option_text("L");
+  command->add_option("--relief-m", options->relief, "Highest minus lowest ground, default 30")
+      ->option_text("H");
+  command->add_option("--trees-per-hectare", options->tree_density, "Default 15")->option_text("N");
+  command->add_flag("--walled-goal", options->walled_goal,
+                    "Dig a closed trench that no vehicle crosses round the map's centre");
+  command->callback([commands, generate] {
+    commands->run = [generate] { return RunTerrainGenerate(*generate); };
+  });
+}
+
+void DeclareTerrain(CLI::App* app, Commands* commands) {
+  CLI::App* terrain = AddCommand(app, "terrain", "Generate or describe terrain",
+                                 "Example:\n  dbd terrain info hills.tif");
+  terrain->require_subcommand(1);
+  DeclareTerrainGenerate(terrain, commands);
+  TerrainInfoArguments* info = &commands->terrain_info;
+  CLI::App* command = AddCommand(terrain, "info", "Say what elevation files hold",
+                                 "Example:\n  dbd terrain info hills.tif --json");
+  command->add_option("files", info->files, "Elevation rasters")
+      ->required()
+      ->option_text("FILE...");
+  AddJsonFlag(command, &info->json, "the description as JSON");
+  command->callback([commands, info] { commands->run = [info] { return RunTerrainInfo(*info); }; });
+}
+
+void DeclareVehicle(CLI::App* app, Commands* commands) {
+  CLI::App* vehicle =
+      AddCommand(app, "vehicle", "List, show or check vehicles", "Example:\n  dbd vehicle list");
+  vehicle->require_subcommand(1);
+  CLI::App* list =
+      AddCommand(vehicle, "list", "Names of the built-in vehicles", "Example:\n  dbd vehicle list");
+  list->callback([commands] { commands->run = RunVehicleList; });
+  const auto declare = [&](const std::string& name, const std::string& description,
+                           const std::string& argument, int (*run)(const std::string&)) {
+    CLI::App* command =
+        AddCommand(vehicle, name, description, "Example:\n  dbd vehicle " + name + " tomcar-tm27");
+    command->add_option("vehicle", commands->vehicle, "Which one")
+        ->required()
+        ->option_text(argument);
+    command->callback(
+        [commands, run] { commands->run = [commands, run] { return run(commands->vehicle); }; });
+  };
+  declare("show", "Print a built-in vehicle's file", "NAME", RunVehicleShow);
+  declare("check", "Set a vehicle on level ground and report its statics", "NAME|FILE",
+          RunVehicleCheck);
+}
+
+}  // namespace
+
+void DeclareCommands(CLI::App* app, Commands* commands) {
+  app->name("dbd");
+  app->description("Plans off-road routes by driving every candidate in vehicle dynamics.");
+  app->set_version_flag("--version", "dbd " DBD_VERSION);
+  app->add_flag("-v,--verbose", commands->verbose, "Say more on standard error");
+  app->add_flag("-q,--quiet", commands->quiet, "Say nothing but errors on standard error");
+  app->require_subcommand(1);
+  app->footer("Example:\n  dbd terrain generate --out land/\n  dbd plan --help");
+  DeclarePlan(app, commands);
+  DeclareSimulate(app, commands);
+  DeclareTerrain(app, commands);
+  DeclareVehicle(app, commands);
+}
+
+}  // namespace dbd

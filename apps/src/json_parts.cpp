@@ -1,0 +1,97 @@
+#include "json_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "limit_units.h"
+#include "trace_table.h"
+#include "versions.h"
+
+namespace dbd {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json MarginJson(const LimitMargin& margin, const LocalFrame& frame) {
+  const LimitUnit unit = UnitOfLimit(margin.name);
+  return {{"name", margin.name},
+          {"limit", Rounded(margin.limit * unit.factor, 4)},
+          {"worst", Rounded(margin.worst * unit.factor, 4)},
+          {"unit", unit.name},
+          {"margin", Rounded(margin.margin, 4)},
+          {"distance", Rounded(margin.s, 2)},
+          {"place", PlaceJson(frame, margin.place)}};
+}
+
+ordered_json TableJson(const std::vector<TraceSample>& rows, const LocalFrame& frame) {
+  ordered_json table = ordered_json::object();
+  for (const TraceColumn& column : TraceColumns(frame)) {
+    ordered_json values = ordered_json::array();
+    for (const TraceSample& row : rows)
+      values.push_back(Rounded(column.value(row), column.decimals));
+    table[column.name] = std::move(values);
+  }
+  return table;
+}
+
+}  // namespace
+
+std::string JsonText(const ordered_json& document) {
+  return document.dump(1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+double Rounded(double value, int decimals) {
+  const double scale = std::pow(10.0, decimals);
+  return std::round(value * scale) / scale;
+}
+
+ordered_json LonLatJson(const LocalFrame& frame, const Eigen::Vector2d& local) {
+  const Eigen::Vector2d lon_lat = frame.ToWgs84(local);
+  return ordered_json::array({Rounded(lon_lat.x(), 8), Rounded(lon_lat.y(), 8)});
+}
+
+ordered_json PlaceJson(const LocalFrame& frame, const Eigen::Vector2d& local) {
+  const Eigen::Vector2d map = frame.ToMap(local);
+  ordered_json place = {{"map", ordered_json::array({Rounded(map.x(), 3), Rounded(map.y(), 3)})}};
+  if (frame.has_crs()) place["lon_lat"] = LonLatJson(frame, local);
+  return place;
+}
+
+ordered_json PlaceJson(const LocalFrame& frame, const Eigen::Vector3d& local) {
+  ordered_json place = PlaceJson(frame, Eigen::Vector2d(local.head<2>()));
+  place["height"] = Rounded(local.z(), 3);
+  return place;
+}
+
+ordered_json RolloutJson(const Rollout& rollout, const LocalFrame& frame) {
+  return {{"outcome", OutcomeName(rollout.outcome)},  {"reason", rollout.reason},
+          {"place", PlaceJson(frame, rollout.place)}, {"length", Rounded(rollout.distance, 3)},
+          {"time", Rounded(rollout.time, 3)},         {"energy", Rounded(rollout.energy, 1)},
+          {"progress", Rounded(rollout.progress, 4)}};
+}
+
+ordered_json CertificateJson(const Rollout& rollout, const LocalFrame& frame) {
+  ordered_json margins = ordered_json::array();
+  for (const LimitMargin& margin : rollout.margins) margins.push_back(MarginJson(margin, frame));
+  ordered_json certificate = {{"margins", std::move(margins)}};
+  const LimitMargin* binding = BindingLimit(rollout);
+  certificate["binding"] = binding ? ordered_json(binding->name) : ordered_json(nullptr);
+  certificate["per_meter"] = TableJson(WorstPerMeter(rollout.trace), frame);
+  return certificate;
+}
+
+ordered_json VersionsJson() {
+  ordered_json versions = ordered_json::object();
+  for (const auto& [name, version] : Versions()) versions[name] = version;
+  return versions;
+}
+
+const LimitMargin* BindingLimit(const Rollout& rollout) {
+  const auto least = std::min_element(
+      rollout.margins.begin(), rollout.margins.end(),
+      [](const LimitMargin& a, const LimitMargin& b) { return a.margin < b.margin; });
+  return least == rollout.margins.end() ? nullptr : &*least;
+}
+
+}  // namespace dbd

@@ -1,0 +1,200 @@
+#include "map_image.h"
+
+#include <cairo.h>
+#include <dbd/core/error.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+
+#include "map_canvas.h"
+#include "map_legend.h"
+#include "map_view.h"
+#include "relief.h"
+#include "text.h"
+
+namespace dbd {
+namespace {
+
+constexpr double kPadding = 22;
+constexpr double kScaleWidth = 300;  // of the strip's part with scale bar and north arrow
+constexpr double kLeastFooter = 70;
+constexpr Stroke kRouteStroke{kRouteColor, 5.5, 1, 2.5};
+
+using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
+using Context = std::unique_ptr<cairo_t, decltype(&cairo_destroy)>;
+
+Surface MakeSurface(int width, int height) {
+  return {cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height), &cairo_surface_destroy};
+}
+
+Context MakeContext(const Surface& surface) {
+  return {cairo_create(surface.get()), &cairo_destroy};
+}
+
+std::vector<Eigen::Vector2d> PointsOfInterest(const MapContent& content) {
+  std::vector<Eigen::Vector2d> points = content.route;
+  for (const MapLine& line : content.candidates) {
+    points.insert(points.end(), line.points.begin(), line.points.end());
+  }
+  for (const auto& place : {content.start, content.goal, content.blocked}) {
+    if (place) points.push_back(*place);
+  }
+  return points;
+}
+
+std::string OutcomeLabel(Outcome outcome, int count) {
+  std::string label = OutcomeName(outcome);
+  std::replace(label.begin(), label.end(), '_', ' ');
+  return Format("%s (%d)", label.c_str(), count);
+}
+
+Stroke CandidateStroke(Outcome outcome) { return {OutcomeColor(outcome), 1.8, 0.85, 0}; }
+
+void AddLineEntries(const MapContent& content, std::vector<LegendEntry>* entries) {
+  if (!content.route.empty()) entries->push_back(LineEntry(kRouteStroke, "driven route"));
+  std::map<Outcome, int> counts;
+  for (const MapLine& line : content.candidates) ++counts[line.outcome];
+  for (const auto& [outcome, count] : counts) {
+    Stroke stroke = CandidateStroke(outcome);
+    stroke.width = 3;
+    entries->push_back(LineEntry(stroke, OutcomeLabel(outcome, count)));
+  }
+}
+
+void AddPlaceEntries(const MapContent& content, std::vector<LegendEntry>* entries) {
+  if (content.start) {
+    entries->push_back(
+        {[](cairo_t* c, const Eigen::Vector2d& p) { DrawStartSymbol(c, p, 7); }, "start"});
+  }
+  if (content.goal) {
+    entries->push_back({[](cairo_t* c, const Eigen::Vector2d& p) {
+                          DrawGoalSymbol(c, p + Eigen::Vector2d(-4, 9), 7);
+                        },
+                        "goal"});
+  }
+  if (content.blocked) {
+    entries->push_back(
+        {[](cairo_t* c, const Eigen::Vector2d& p) { DrawCrossSymbol(c, p, 6, kBlockedColor); },
+         "blocked here"});
+  }
+}
+
+void AddGroundEntries(const Terrain& terrain, double contour_interval,
+                      std::vector<LegendEntry>* entries) {
+  if (!terrain.obstacles().empty()) entries->push_back(AreaEntry(kObstacleColor, "obstacle"));
+  if (!terrain.materials().is_uniform()) {
+    const std::vector<Material>& materials = terrain.materials().table().materials();
+    for (std::size_t row = 0; row < std::min<std::size_t>(materials.size(), 8); ++row) {
+      const Color color = materials[row].passable ? MaterialColor(row) : kImpassableColor;
+      entries->push_back(AreaEntry(color, materials[row].name));
+    }
+  }
+  if (terrain.heights().unknown_share() > 0) {
+    entries->push_back(AreaEntry(kUnknownColor, "unknown"));
+  }
+  if (contour_interval > 0) {
+    entries->push_back(
+        LineEntry({Hex(0x8a7662), 1.2, 1, 0}, Format("contour, %g m", contour_interval)));
+  }
+}
+
+Legend MakeLegend(const Terrain& terrain, const MapContent& content, double contour_interval) {
+  std::vector<LegendEntry> entries;
+  AddLineEntries(content, &entries);
+  AddPlaceEntries(content, &entries);
+  AddGroundEntries(terrain, contour_interval, &entries);
+  return Legend(std::move(entries));
+}
+
+void DrawRelief(cairo_t* context, ReliefImage* relief) {
+  auto* bytes = reinterpret_cast<unsigned char*>(relief->pixels.data());
+  const Surface surface(
+      cairo_image_surface_create_for_data(bytes, CAIRO_FORMAT_RGB24, relief->width, relief->height,
+                                          relief->width * 4),
+      &cairo_surface_destroy);
+  cairo_set_source_surface(context, surface.get(), 0, 0);
+  cairo_paint(context);
+}
+
+std::vector<Eigen::Vector2d> ToPixels(const MapView& view,
+                                      const std::vector<Eigen::Vector2d>& points) {
+  std::vector<Eigen::Vector2d> pixels;
+  pixels.reserve(points.size());
+  for (const Eigen::Vector2d& point : points) pixels.push_back(view.ToPixel(point));
+  return pixels;
+}
+
+/// Failures below, successes above, the chosen route on top, symbols last.
+void DrawContent(cairo_t* context, const MapView& view, const MapContent& content) {
+  for (const bool reached : {false, true}) {
+    for (const MapLine& line : content.candidates) {
+      if ((line.outcome == Outcome::kReached) != reached) continue;
+      DrawPolyline(context, ToPixels(view, line.points), CandidateStroke(line.outcome));
+    }
+  }
+  DrawPolyline(context, ToPixels(view, content.route), kRouteStroke);
+  for (const MapLine& line : content.candidates) {
+    if (line.outcome == Outcome::kReached) continue;
+    DrawDot(context, view.ToPixel(line.end), 3.5, OutcomeColor(line.outcome));
+  }
+  if (content.start) DrawStartSymbol(context, view.ToPixel(*content.start), 10);
+  if (content.goal) DrawGoalSymbol(context, view.ToPixel(*content.goal), 12);
+  if (content.blocked) DrawCrossSymbol(context, view.ToPixel(*content.blocked), 11, kBlockedColor);
+}
+
+void DrawTitle(cairo_t* context, const MapContent& content) {
+  SetColor(context, kInkColor);
+  DrawText(context, {kPadding, 36}, 25, true, content.title);
+  SetColor(context, kInkColor, 0.75);
+  DrawText(context, {kPadding, 62}, 16, false, content.subtitle);
+}
+
+void DrawFooter(cairo_t* context, const MapView& view, const Legend& legend, double height) {
+  const double top = kMapTitleHeight + view.height;
+  const double legend_width = view.width - kScaleWidth - 3 * kPadding;
+  const double legend_height = legend.Height(context, legend_width);
+  legend.Draw(context, {kPadding - 6, top + (height - legend_height) / 2}, legend_width);
+  const double middle = top + height / 2;
+  DrawScaleBar(context, {view.width - kPadding - 46, middle + 13}, kScaleWidth - 70,
+               view.pixel_size);
+  DrawNorthArrow(context, {view.width - kPadding - 14, middle - 8}, 17);
+}
+
+void DrawMap(cairo_t* context, const MapView& view, const MapContent& content,
+             ReliefImage* relief) {
+  cairo_save(context);
+  cairo_translate(context, 0, kMapTitleHeight);
+  cairo_rectangle(context, 0, 0, view.width, view.height);
+  cairo_clip(context);
+  DrawRelief(context, relief);
+  DrawContent(context, view, content);
+  cairo_restore(context);
+}
+
+}  // namespace
+
+void WriteMapImage(const std::filesystem::path& file, const Terrain& terrain,
+                   const MapContent& content) {
+  const MapView view = FitView(terrain.heights(), PointsOfInterest(content), kMapImageWidth);
+  ReliefImage relief = RenderRelief(terrain, view, content.obstacle_height);
+  const Legend legend = MakeLegend(terrain, content, relief.contour_interval);
+  const double legend_height =
+      legend.Height(MakeContext(MakeSurface(1, 1)).get(), view.width - kScaleWidth - 3 * kPadding);
+  const double footer = std::max(kLeastFooter, std::ceil(legend_height + 20));
+  const Surface surface =
+      MakeSurface(view.width, kMapTitleHeight + view.height + static_cast<int>(footer));
+  const Context context = MakeContext(surface);
+  SetColor(context.get(), kPaperColor);
+  cairo_paint(context.get());
+  DrawTitle(context.get(), content);
+  DrawMap(context.get(), view, content, &relief);
+  DrawFooter(context.get(), view, legend, footer);
+  cairo_surface_flush(surface.get());
+  if (cairo_surface_write_to_png(surface.get(), file.c_str()) != CAIRO_STATUS_SUCCESS) {
+    throw InputError(file.string() + ": cannot be written");
+  }
+}
+
+}  // namespace dbd

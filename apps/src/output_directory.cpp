@@ -1,0 +1,104 @@
+#include "output_directory.h"
+
+#include <dbd/core/error.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <system_error>
+
+#include "text.h"
+
+namespace fs = std::filesystem;
+
+namespace dbd {
+namespace {
+
+// What dbd's answers consist of, whichever of them a run writes.
+constexpr const char* kAnswerFiles[] = {"plan.json",          "simulate.json", "map.png",
+                                        "candidates.geojson", "trace.csv",     "route.geojson",
+                                        "route.gpx",          "route.csv"};
+
+fs::path Normalized(const std::string& directory) {
+  const fs::path path = fs::absolute(directory).lexically_normal();
+  return path.has_filename() ? path : path.parent_path();
+}
+
+[[noreturn]] void Refuse(const fs::path& directory, const std::string& reason) {
+  throw InputError("--out " + directory.string() + ": " + reason);
+}
+
+}  // namespace
+
+OutputDirectory::OutputDirectory(const std::string& directory) {
+  if (directory.empty()) throw InputError("--out: the directory has no name");
+  directory_ = Normalized(directory);
+  std::error_code error;
+  const fs::file_status status = fs::status(directory_, error);
+  if (fs::exists(status) && !fs::is_directory(status)) Refuse(directory_, "is not a directory");
+  // A directory that exists is staged inside, since its parent need not be writable; a new one is
+  // staged beside, so that it appears complete, in one rename.
+  const std::string suffix = Format(".partial-%d", getpid());
+  staging_ = fs::is_directory(status)
+                 ? directory_ / suffix
+                 : directory_.parent_path() /
+                       Format(".%s%s", directory_.filename().c_str(), suffix.c_str());
+  try {
+    CreateStaging();
+  } catch (...) {
+    RemoveStaging();
+    throw;
+  }
+  RemoveStaging();
+}
+
+OutputDirectory::~OutputDirectory() { RemoveStaging(); }
+
+fs::path OutputDirectory::Stage(const std::string& name) {
+  if (staged_.empty()) CreateStaging();
+  staged_.push_back(name);
+  return staging_ / name;
+}
+
+void OutputDirectory::Commit() {
+  std::error_code error;
+  if (!fs::exists(directory_)) {
+    fs::rename(staging_, directory_, error);
+  } else {
+    for (const char* name : kAnswerFiles) {
+      if (std::find(staged_.begin(), staged_.end(), name) == staged_.end()) {
+        fs::remove(directory_ / name, error);
+      }
+    }
+    for (const std::string& name : staged_) {
+      if (!error) fs::rename(staging_ / name, directory_ / name, error);
+    }
+  }
+  if (error) Refuse(directory_, "cannot be written: " + error.message());
+  created_parents_.clear();
+  RemoveStaging();
+}
+
+void OutputDirectory::CreateStaging() {
+  std::error_code error;
+  std::vector<fs::path> missing;
+  for (fs::path p = staging_.parent_path(); !fs::exists(p, error); p = p.parent_path()) {
+    if (error && error != std::errc::no_such_file_or_directory) break;
+    missing.push_back(p);
+  }
+  for (auto p = missing.rbegin(); p != missing.rend(); ++p) {
+    if (!fs::create_directory(*p, error))
+      Refuse(directory_, "cannot be created: " + error.message());
+    created_parents_.push_back(*p);
+  }
+  fs::create_directory(staging_, error);
+  if (error) Refuse(directory_, "cannot be created or written: " + error.message());
+}
+
+void OutputDirectory::RemoveStaging() {
+  std::error_code error;
+  fs::remove_all(staging_, error);
+  for (auto p = created_parents_.rbegin(); p != created_parents_.rend(); ++p) fs::remove(*p, error);
+  created_parents_.clear();
+}
+
+}  // namespace dbd

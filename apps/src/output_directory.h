@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace dbd {
+
+/// A directory that receives all of a command's files or none: they are written to a staging
+/// directory and moved when every one of them is complete.
+class OutputDirectory {
+ public:
+  /// Finds out now, before the long work, whether the directory can be created and written, and
+  /// leaves no trace of having tried. Throws InputError.
+  explicit OutputDirectory(const std::string& directory);
+
+  /// Removes what was not committed.
+  ~OutputDirectory();
+  OutputDirectory(const OutputDirectory&) = delete;
+  OutputDirectory& operator=(const OutputDirectory&) = delete;
+
+  /// Where to write the file with this name until `Commit`.
+  std::filesystem::path Stage(const std::string& name);
+
+  /// Moves the staged files into the directory. Route files that an earlier run left there and
+  /// this one did not write are removed, so that no two answers are mixed.
+  void Commit();
+
+  const std::filesystem::path& path() const { return directory_; }
+  const std::vector<std::string>& staged() const { return staged_; }
+
+ private:
+  void CreateStaging();
+  void RemoveStaging();
+
+  std::filesystem::path directory_;
+  std::filesystem::path staging_;
+  std::vector<std::filesystem::path> created_parents_;  ///< outermost first
+  std::vector<std::string> staged_;
+};
+
+}  // namespace dbd

@@ -1,0 +1,77 @@
+#include "plan_command.h"
+
+#include <dbd/core/error.h>
+#include <dbd/core/units.h>
+#include <dbd/core/vehicle_database.h>
+#include <dbd/planner/plan_route.h>
+
+#include <cstdio>
+
+#include "cli.h"
+#include "console.h"
+#include "interrupt.h"
+#include "output_directory.h"
+#include "plan_files.h"
+#include "summary.h"
+
+namespace dbd {
+namespace {
+
+PlanOptions MakeOptions(const PlanArguments& arguments) {
+  PlanOptions options;
+  options.sampling.candidates = arguments.candidates;
+  options.seed = arguments.seed;
+  options.max_speed = KilometersPerHour(arguments.max_speed_kmh);
+  options.threads = arguments.threads;
+  options.Validate();
+  return options;
+}
+
+PlanRequest MakeRequest(const PlanArguments& arguments, const TypedPlace& typed_start,
+                        const TypedPlace& typed_goal, const Terrain& terrain) {
+  const LocalPlace start = LocatePlace("--start", typed_start, arguments.coordinates, terrain);
+  const LocalPlace goal = LocatePlace("--goal", typed_goal, arguments.coordinates, terrain);
+  PlanRequest request;
+  request.start = start.xy;
+  request.start_heading = start.yaw;
+  request.goal = goal.xy;
+  request.goal_heading = goal.yaw;
+  return request;
+}
+
+Plan PlanWithProgress(const std::shared_ptr<const Terrain>& terrain,
+                      const std::shared_ptr<const VehicleModel>& vehicle,
+                      const PlanRequest& request, const PlanOptions& options,
+                      const std::stop_token& stop) {
+  ProgressLine progress;
+  return PlanRoute(
+      terrain, vehicle, request, options,
+      [&progress](const std::string& stage, int done, int total) {
+        progress.Show(stage, done, total);
+      },
+      stop);
+}
+
+}  // namespace
+
+int RunPlan(const PlanArguments& arguments) {
+  Interrupt interrupt;
+  const PlanOptions options = MakeOptions(arguments);
+  const TypedPlace start = ParsePlace("--start", arguments.start);
+  const TypedPlace goal = ParsePlace("--goal", arguments.goal);
+  OutputDirectory output(arguments.out);
+  const auto vehicle = LoadVehicle(arguments.vehicle);
+  const auto terrain = LoadTerrain(arguments.terrain);
+  const PlanRequest request = MakeRequest(arguments, start, goal, *terrain);
+  const Plan plan = PlanWithProgress(terrain, vehicle, request, options, interrupt.token());
+  if (plan.status == PlanStatus::kCancelled || plan.status == PlanStatus::kDeadline) {
+    PrintError(plan.reason.empty() ? "stopped before there was an answer" : plan.reason);
+    return kExitStopped;
+  }
+  const PlanRecord record{arguments, *terrain, *vehicle, request, options, plan};
+  WritePlanFiles(record, &output);
+  std::fputs((arguments.json ? PlanJson(record) : PlanSummary(record, output)).c_str(), stdout);
+  return plan.status == PlanStatus::kRoute ? kExitOk : kExitNoSafeRoute;
+}
+
+}  // namespace dbd

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "places.h"
+#include "terrain_options.h"
+
+namespace dbd {
+
+/// What `dbd plan` was asked, as typed.
+struct PlanArguments {
+  TerrainArguments terrain;
+  std::string vehicle;
+  std::string start;
+  std::string goal;
+  Coordinates coordinates = Coordinates::kMap;
+  int candidates = 32;
+  double max_speed_kmh = 28.8;
+  std::uint64_t seed = 1;
+  int threads = 0;
+  std::string out;
+  bool json = false;
+};
+
+/// Plans, writes all results or none, and prints the answer. Returns the exit code.
+/// Throws InputError.
+int RunPlan(const PlanArguments& arguments);
+
+}  // namespace dbd

@@ -1,0 +1,109 @@
+#include "plan_json.h"
+
+#include <dbd/core/units.h>
+
+#include <nlohmann/json.hpp>
+
+#include "json_parts.h"
+#include "text.h"
+
+namespace dbd {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json EndJson(const LocalFrame& frame, const Eigen::Vector2d& place,
+                     const std::optional<double>& yaw) {
+  ordered_json end = PlaceJson(frame, place);
+  if (yaw) end["heading_deg"] = Rounded(CompassDegrees(*yaw), 3);
+  return end;
+}
+
+ordered_json TerrainJson(const TerrainArguments& files) {
+  ordered_json terrain = {{"dem", files.dem}};
+  if (!files.materials.empty()) {
+    terrain["materials"] = files.materials;
+    terrain["material_table"] = files.material_table;
+  }
+  if (!files.obstacles.empty()) terrain["obstacles"] = files.obstacles;
+  if (!files.obstacles_origin.empty()) terrain["obstacles_origin"] = files.obstacles_origin;
+  return terrain;
+}
+
+ordered_json RequestJson(const PlanRecord& record) {
+  const LocalFrame& frame = record.terrain.frame();
+  const PlanRequest& request = record.request;
+  return {{"terrain", TerrainJson(record.arguments.terrain)},
+          {"map_crs_wkt", frame.map_wkt()},
+          {"vehicle", record.vehicle.name},
+          {"start", EndJson(frame, request.start, request.start_heading)},
+          {"goal", EndJson(frame, request.goal, request.goal_heading)},
+          {"candidates", record.options.sampling.candidates},
+          {"max_speed_kmh", Rounded(record.options.max_speed * 3.6, 6)}};
+}
+
+ordered_json RouteJson(const PlanRecord& record) {
+  const Rollout* chosen = record.chosen();
+  if (!chosen) return nullptr;
+  const auto index = static_cast<std::size_t>(*record.plan.chosen);
+  return {{"candidate", index},
+          {"origin", record.plan.candidates[index].origin},
+          {"length", Rounded(chosen->distance, 3)},
+          {"time", Rounded(chosen->time, 3)},
+          {"mean_speed", Rounded(chosen->time > 0 ? chosen->distance / chosen->time : 0, 3)},
+          {"energy", Rounded(chosen->energy, 1)},
+          {"score", Rounded(record.plan.scores[index].total, 3)}};
+}
+
+ordered_json ScoreJson(const Score& score) {
+  ordered_json terms = ordered_json::object();
+  for (const auto& [name, seconds] : score.terms) terms[name] = Rounded(seconds, 3);
+  return {{"feasible", score.feasible},
+          {"total", score.feasible ? ordered_json(Rounded(score.total, 3)) : ordered_json(nullptr)},
+          {"terms", std::move(terms)}};
+}
+
+ordered_json CandidatesJson(const PlanRecord& record) {
+  const Plan& plan = record.plan;
+  ordered_json candidates = ordered_json::array();
+  for (std::size_t i = 0; i < plan.rollouts.size(); ++i) {
+    ordered_json candidate = {{"id", i},
+                              {"origin", plan.candidates[i].origin},
+                              {"path_length", Rounded(plan.candidates[i].path.length(), 3)}};
+    candidate.update(RolloutJson(plan.rollouts[i], record.terrain.frame()));
+    candidate["score"] = ScoreJson(plan.scores[i]);
+    candidates.push_back(std::move(candidate));
+  }
+  return candidates;
+}
+
+ordered_json TimingJson(const Plan& plan) {
+  ordered_json timing = ordered_json::object();
+  for (const auto& [stage, seconds] : plan.timing) timing[stage] = Rounded(seconds, 4);
+  return timing;
+}
+
+}  // namespace
+
+std::string PlanJson(const PlanRecord& record) {
+  const Plan& plan = record.plan;
+  const LocalFrame& frame = record.terrain.frame();
+  const Rollout* chosen = record.chosen();
+  ordered_json document = {{"schema", "dbd.plan/1"},
+                           {"status", PlanStatusName(plan.status)},
+                           {"reason", plan.reason},
+                           {"request", RequestJson(record)},
+                           {"route", RouteJson(record)}};
+  document["blocked_at"] =
+      plan.blocked_at ? PlaceJson(frame, *plan.blocked_at) : ordered_json(nullptr);
+  document["certificate"] = chosen ? CertificateJson(*chosen, frame) : ordered_json(nullptr);
+  document["candidates"] = CandidatesJson(record);
+  document["simulated_time"] = Rounded(plan.simulated_time, 3);
+  document["seed"] = record.options.seed;
+  document["digest"] = Format("%016llx", static_cast<unsigned long long>(plan.digest));
+  document["timing_s"] = TimingJson(plan);
+  document["versions"] = VersionsJson();
+  return JsonText(document);
+}
+
+}  // namespace dbd

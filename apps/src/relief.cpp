@@ -1,0 +1,194 @@
+#include "relief.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "map_style.h"
+
+namespace dbd {
+namespace {
+
+/// Heights at pixel centres, with a border wide enough for the gradient.
+class HeightSamples {
+ public:
+  HeightSamples(const Terrain& terrain, const MapView& view)
+      : border_(Border(terrain.heights(), view)),
+        columns_(view.width + 2 * border_),
+        spacing_(border_ * view.pixel_size),
+        heights_(static_cast<std::size_t>(columns_) * (view.height + 2 * border_)) {
+    std::vector<double> x(columns_), y(columns_);
+    for (int row = 0; row < view.height + 2 * border_; ++row) {
+      for (int column = 0; column < columns_; ++column) {
+        const Eigen::Vector2d place = view.ToLocal({column - border_ + 0.5, row - border_ + 0.5});
+        x[column] = place.x();
+        y[column] = place.y();
+      }
+      terrain.Heights(columns_, x.data(), y.data(),
+                      &heights_[static_cast<std::size_t>(row) * columns_]);
+    }
+  }
+
+  double At(int column, int row) const {
+    return heights_[static_cast<std::size_t>(row + border_) * columns_ + column + border_];
+  }
+
+  /// Slope to the east and to the north [-] by Horn's weights: B. K. P. Horn, "Hill shading and
+  /// the reflectance map", Proc. IEEE 69 (1981).
+  Eigen::Vector2d Gradient(int column, int row) const {
+    const int d = border_;
+    const auto z = [&](int i, int j) { return At(column + i * d, row + j * d); };
+    const double east = z(1, -1) + 2 * z(1, 0) + z(1, 1) - z(-1, -1) - 2 * z(-1, 0) - z(-1, 1);
+    const double north = z(-1, -1) + 2 * z(0, -1) + z(1, -1) - z(-1, 1) - 2 * z(0, 1) - z(1, 1);
+    return Eigen::Vector2d(east, north) / (8 * spacing_);
+  }
+
+ private:
+  /// Neighbours nearer than a cell would show the facets of the bilinear surface.
+  static int Border(const HeightMap& heights, const MapView& view) {
+    const double cell = heights.grid().cell_size.maxCoeff();
+    return std::clamp(static_cast<int>(std::lround(cell / view.pixel_size)), 1, 64);
+  }
+
+  int border_;
+  int columns_;
+  double spacing_;
+  std::vector<double> heights_;
+};
+
+/// What the picture as a whole decides: the span of the tint, exaggeration, contours.
+struct Tones {
+  double low = 0;
+  double high = 1;
+  double exaggeration = 1;
+  double contour_interval = 0;
+};
+
+double ContourInterval(double span) {
+  for (const double interval : {0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0}) {
+    if (span / interval <= 20) return interval;
+  }
+  return 0;
+}
+
+Tones ChooseTones(const HeightSamples& samples, const MapView& view) {
+  std::vector<double> heights;
+  double slope_squares = 0;
+  const int step = std::max(1, view.width / 200);
+  for (int row = 0; row < view.height; row += step) {
+    for (int column = 0; column < view.width; column += step) {
+      heights.push_back(samples.At(column, row));
+      slope_squares += samples.Gradient(column, row).squaredNorm();
+    }
+  }
+  const double rms_slope = std::sqrt(slope_squares / static_cast<double>(heights.size()));
+  std::sort(heights.begin(), heights.end());
+  Tones tones;
+  tones.low = heights[heights.size() / 100];
+  tones.high = std::max(heights[heights.size() - 1 - heights.size() / 100], tones.low + 1.0);
+  // Gentle land is exaggerated until its relief can be seen.
+  tones.exaggeration = std::clamp(0.35 / std::max(rms_slope, 0.01), 1.0, 6.0);
+  tones.contour_interval = ContourInterval(tones.high - tones.low);
+  return tones;
+}
+
+Color Tint(double share) {
+  static constexpr std::array<Color, 5> kRamp = {Hex(0xb3cfa8), Hex(0xd9dfb4), Hex(0xecdcb0),
+                                                 Hex(0xd9ba92), Hex(0xf1e8df)};
+  const double at = std::clamp(share, 0.0, 1.0) * (kRamp.size() - 1);
+  const auto below = std::min(static_cast<std::size_t>(at), kRamp.size() - 2);
+  return Mix(kRamp[below], kRamp[below + 1], at - static_cast<double>(below));
+}
+
+/// Lambert shading by one light, 1 on level ground.
+double Shade(const Eigen::Vector2d& gradient, double azimuth_deg, double altitude_deg) {
+  const double azimuth = azimuth_deg * std::numbers::pi / 180;
+  const double altitude = altitude_deg * std::numbers::pi / 180;
+  const Eigen::Vector2d to_light(std::sin(azimuth), std::cos(azimuth));
+  const double lit = std::sin(altitude) - std::cos(altitude) * gradient.dot(to_light);
+  return std::max(0.0, lit) / std::sqrt(1 + gradient.squaredNorm()) / std::sin(altitude);
+}
+
+Color Lit(const Color& color, const Eigen::Vector2d& gradient) {
+  const double shade = 0.65 * Shade(gradient, 315, 45) + 0.2 * Shade(gradient, 270, 50) +
+                       0.15 * Shade(gradient, 0, 60);
+  if (shade < 1) return Mix(Hex(0x2b2f45), color, 0.25 + 0.75 * shade);
+  return Mix(color, Hex(0xffffff), std::min(0.6, 0.8 * (shade - 1)));
+}
+
+/// How much of a pixel a contour line covers: its distance in heights over the height per pixel.
+double ContourCover(const Tones& tones, double height, double slope, double pixel_size) {
+  if (tones.contour_interval <= 0 || slope < 0.02) return 0;
+  const double distance =
+      std::abs(std::remainder(height, tones.contour_interval)) / (slope * pixel_size);
+  return std::clamp(1.1 - distance, 0.0, 1.0);
+}
+
+class ReliefPainter {
+ public:
+  ReliefPainter(const Terrain& terrain, const MapView& view, double obstacle_height)
+      : terrain_(terrain),
+        view_(view),
+        obstacle_height_(obstacle_height),
+        samples_(terrain, view),
+        tones_(ChooseTones(samples_, view)) {}
+
+  double contour_interval() const { return tones_.contour_interval; }
+
+  Color At(int column, int row) const {
+    const Eigen::Vector2d place = view_.ToLocal({column + 0.5, row + 0.5});
+    if (!terrain_.IsKnown(place.x(), place.y())) {
+      return (column + row) % 9 == 0 ? kHatchColor : kUnknownColor;
+    }
+    const double height = samples_.At(column, row);
+    const Eigen::Vector2d gradient = samples_.Gradient(column, row);
+    const Color ground = Soil(place, Tint((height - tones_.low) / (tones_.high - tones_.low)));
+    const Color lit = Lit(ground, gradient * tones_.exaggeration);
+    const double contour = ContourCover(tones_, height, gradient.norm(), view_.pixel_size);
+    const Color lined = Mix(lit, Hex(0x5b4636), 0.28 * contour);
+    return terrain_.obstacles().Blocks(place.x(), place.y(), obstacle_height_)
+               ? Mix(lined, kObstacleColor, 0.75)
+               : lined;
+  }
+
+ private:
+  Color Soil(const Eigen::Vector2d& place, const Color& tint) const {
+    const MaterialMap& materials = terrain_.materials();
+    if (materials.is_uniform()) return tint;
+    const Material* material = materials.At(place.x(), place.y());
+    if (!material) return tint;
+    if (!material->passable) return Mix(tint, kImpassableColor, 0.7);
+    const auto row = static_cast<std::size_t>(material - materials.table().materials().data());
+    return Mix(tint, MaterialColor(row), 0.4);
+  }
+
+  const Terrain& terrain_;
+  const MapView& view_;
+  double obstacle_height_;
+  HeightSamples samples_;
+  Tones tones_;
+};
+
+std::uint32_t Pixel(const Color& color) {
+  const auto part = [](double value) {
+    return static_cast<std::uint32_t>(std::lround(255 * std::clamp(value, 0.0, 1.0)));
+  };
+  return 0xff000000u | part(color.red) << 16 | part(color.green) << 8 | part(color.blue);
+}
+
+}  // namespace
+
+ReliefImage RenderRelief(const Terrain& terrain, const MapView& view, double obstacle_height) {
+  const ReliefPainter painter(terrain, view, obstacle_height);
+  ReliefImage image{view.width, view.height, {}, painter.contour_interval()};
+  image.pixels.reserve(static_cast<std::size_t>(view.width) * view.height);
+  for (int row = 0; row < view.height; ++row) {
+    for (int column = 0; column < view.width; ++column) {
+      image.pixels.push_back(Pixel(painter.At(column, row)));
+    }
+  }
+  return image;
+}
+
+}  // namespace dbd

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <dbd/terrain/terrain.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "map_view.h"
+
+namespace dbd {
+
+/// A picture of the ground, one 0xffRRGGBB per pixel, rows from north to south.
+struct ReliefImage {
+  int width = 0;
+  int height = 0;
+  std::vector<std::uint32_t> pixels;
+  double contour_interval = 0;  ///< [m], 0 = no contours drawn
+};
+
+/// Shaded relief (Horn's gradient, lit from the north-west) over a tint by height, with faint
+/// contours, soils, obstacles lower than `obstacle_height` [m], and unknown ground hatched.
+ReliefImage RenderRelief(const Terrain& terrain, const MapView& view, double obstacle_height);
+
+}  // namespace dbd

@@ -1,0 +1,113 @@
+#include "summary.h"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+
+#include "json_parts.h"
+#include "limit_units.h"
+#include "text.h"
+
+namespace dbd {
+namespace {
+
+constexpr double kJoulesPerKilowattHour = 3.6e6;
+
+std::string Words(std::string name) {
+  std::replace(name.begin(), name.end(), '_', ' ');
+  return name;
+}
+
+std::string Row(const char* label, const std::string& text) {
+  return Format("  %-10s %s\n", label, text.c_str());
+}
+
+double TotalTiming(const Plan& plan) {
+  return std::accumulate(plan.timing.begin(), plan.timing.end(), 0.0,
+                         [](double sum, const auto& stage) { return sum + stage.second; });
+}
+
+std::string SimulationSpeed(const Plan& plan) {
+  const double wall = TotalTiming(plan);
+  std::string text = Format("%.0f s driven in %.2f s", plan.simulated_time, wall);
+  if (wall > 0)
+    text += Format(" (%.0f x real time, everything included)", plan.simulated_time / wall);
+  return text;
+}
+
+}  // namespace
+
+std::string DriveTotals(const Rollout& rollout) {
+  const double kmh = rollout.time > 0 ? 3.6 * rollout.distance / rollout.time : 0;
+  return Format("%s in %s, mean %.1f km/h, %.2f kWh at the wheels",
+                FormatLength(rollout.distance).c_str(), FormatDuration(rollout.time).c_str(), kmh,
+                rollout.energy / kJoulesPerKilowattHour);
+}
+
+std::string TightestLimit(const Rollout& rollout, const LocalFrame& frame) {
+  const LimitMargin* binding = BindingLimit(rollout);
+  if (!binding) return "";
+  const LimitUnit unit = UnitOfLimit(binding->name);
+  return Format("%s %.3g%s of %.3g%s (%.0f %% left) after %.0f m at %s",
+                Words(binding->name).c_str(), binding->worst * unit.factor, unit.symbol,
+                binding->limit * unit.factor, unit.symbol, 100 * binding->margin, binding->s,
+                DescribePlace(frame, binding->place).c_str());
+}
+
+std::string OutcomeCounts(const std::vector<Rollout>& rollouts) {
+  std::map<Outcome, int> counts;
+  for (const Rollout& rollout : rollouts) ++counts[rollout.outcome];
+  std::string text = std::to_string(rollouts.size()) + " candidates";
+  const char* separator = ": ";
+  for (const auto& [outcome, count] : counts) {
+    text += separator + std::to_string(count) + " " + Words(OutcomeName(outcome));
+    separator = ", ";
+  }
+  return text;
+}
+
+std::string PlanHeadline(const PlanRecord& record) {
+  const Rollout* chosen = record.chosen();
+  const std::string& vehicle = record.vehicle.name;
+  if (!chosen) return "No safe route for " + vehicle;
+  return Format("%s route for %s: %s", FormatLength(chosen->distance).c_str(), vehicle.c_str(),
+                FormatDuration(chosen->time).c_str());
+}
+
+std::string PlanSubtitle(const PlanRecord& record) {
+  const Rollout* chosen = record.chosen();
+  const LocalFrame& frame = record.terrain.frame();
+  const std::string driven = OutcomeCounts(record.plan.rollouts);
+  if (!chosen) return driven + ". " + record.plan.reason;
+  const std::string limit = TightestLimit(*chosen, frame);
+  return limit.empty() ? driven : driven + ". Tightest limit: " + limit;
+}
+
+std::string PlanSummary(const PlanRecord& record, const OutputDirectory& output) {
+  const Plan& plan = record.plan;
+  const LocalFrame& frame = record.terrain.frame();
+  std::string text;
+  if (const Rollout* chosen = record.chosen()) {
+    const std::string& origin = plan.candidates[static_cast<std::size_t>(*plan.chosen)].origin;
+    text = Format("Route found: candidate %d (%s)\n", *plan.chosen, origin.c_str());
+    text += Row("drive", DriveTotals(*chosen));
+    if (const std::string limit = TightestLimit(*chosen, frame); !limit.empty()) {
+      text += Row("tightest", limit);
+    }
+  } else {
+    text = "No safe route: " + plan.reason + "\n";
+    if (plan.blocked_at)
+      text += Row("blocked", "at " + DescribePlace(frame, plan.blocked_at->head<2>()));
+  }
+  text += Row("driven", OutcomeCounts(plan.rollouts));
+  text += Row("simulated", SimulationSpeed(plan));
+  return text + Row("files", FilesWritten(output));
+}
+
+std::string FilesWritten(const OutputDirectory& output) {
+  std::string text = output.path().string() + ":";
+  for (const std::string& name : output.staged()) text += " " + name;
+  return text;
+}
+
+}  // namespace dbd

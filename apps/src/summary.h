@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "output_directory.h"
+#include "plan_json.h"
+
+namespace dbd {
+
+/// "1.12 km in 3 min 24 s, 19.8 km/h, 0.51 kWh".
+std::string DriveTotals(const Rollout& rollout);
+
+/// "roll 24.1° of 30.0° (20 % left) after 412 m at 564312.1, 146522.8", or "" without limits.
+std::string TightestLimit(const Rollout& rollout, const LocalFrame& frame);
+
+/// "32 candidates: 21 reached, 6 limit exceeded, 5 immobilized".
+std::string OutcomeCounts(const std::vector<Rollout>& rollouts);
+
+/// One line for the head of a map, and the smaller one below it.
+std::string PlanHeadline(const PlanRecord& record);
+std::string PlanSubtitle(const PlanRecord& record);
+
+/// What a person wants to know of the plan, some lines.
+std::string PlanSummary(const PlanRecord& record, const OutputDirectory& output);
+
+/// "out: plan.json map.png ...".
+std::string FilesWritten(const OutputDirectory& output);
+
+}  // namespace dbd
