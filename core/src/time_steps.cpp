@@ -1,5 +1,6 @@
 #include "time_steps.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>

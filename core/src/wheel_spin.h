@@ -79,7 +79,7 @@ void AdvanceSpins(const VehicleModel& model, const WheelControls<Real>& controls
                   SpinArray<Real>& spin_change, SpinArray<Real>& brake_torque) {
   using S = ScalarOf<Real>;
   const Real dt{S(step)};
-  SpinArray<Real> inertia, spin;
+  SpinArray<Real> inertia{}, spin{};
   for (std::size_t i = 0; i < model.wheels.size(); ++i) {
     const TireLaw<Real>& law = laws[i];
     inertia[i] = Real(S(model.wheels[i].spin_inertia)) +

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <dbd/core/path.h>
+#include <dbd/core/vehicle_model.h>
+
+namespace dbd {
+
+// The driver (paper sections 4.7, 4.8, 5.1): pure pursuit of a path with Ackermann steering, and
+// proportional speed control within the engine's limits.
+
+struct DriverOptions {
+  double target_speed = 5.0;       ///< on open ground [m/s]
+  double lookahead_time = 0.5;     ///< lookahead = least + time * speed [s]
+  double least_lookahead = 2.5;    ///< [m]
+  double deceleration = 1.5;       ///< used to plan stops and curve entries [m/s^2]
+  double curve_acceleration = 2.0; ///< lateral, in curves [m/s^2]
+  double speed_gain = 60.0;        ///< engine torque per speed error [N m s/m]
+  double integral_gain = 30.0;     ///< [N m/m]
+  double brake_gain = 0.4;         ///< share of full brake per m/s too fast, beyond 0.5 m/s
+  bool stop_at_end = true;         ///< of the path
+};
+
+/// What the driver sees of the vehicle.
+struct DriverView {
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< of the rear axle's middle, in W
+  double heading = 0;
+  double speed = 0;  ///< forward [m/s]
+};
+
+struct DriverCommand {
+  double steer = 0;          ///< of the mean front wheel, left positive [rad]
+  double engine_torque = 0;  ///< asked of the engine, before its limits [N m]
+  double brake = 0;          ///< share of full brake torque [0, 1]
+};
+
+/// Memory of the driver between control steps.
+struct DriverState {
+  double arc_length = 0;    ///< of the nearest point of the path
+  double integral = 0;      ///< of the speed error [N m]
+  double target_speed = 0;  ///< in force now
+  bool arrived = false;     ///< standing at the end
+};
+
+class Driver {
+ public:
+  /// An empty path means straight ahead along the initial heading.
+  Driver(const VehicleModel& vehicle, const Path& path, const DriverOptions& options);
+
+  /// Called once per control step of length `dt`. `start`, `heading`: where the drive began.
+  DriverCommand Update(const DriverView& view, double dt, DriverState& state) const;
+
+  /// The speed that path and options allow at arc length s, before any look ahead.
+  double SpeedLimit(double s) const;
+
+  void SetStart(const Eigen::Vector2d& position, double heading);
+
+ private:
+  double Steer(const DriverView& view, DriverState& state) const;
+  double TargetSpeed(const DriverView& view, const DriverState& state) const;
+  void BuildSpeedProfile();
+
+  const VehicleModel& vehicle_;
+  Path path_;
+  DriverOptions options_;
+  double wheelbase_;
+  double max_steer_;
+  std::vector<double> speed_profile_;  // every kProfileStep along the path
+};
+
+/// Steer angle of each wheel for a mean steer angle, so that all wheels roll about one centre
+/// (Ackermann). Indexed like `vehicle.wheels`.
+std::vector<double> AckermannAngles(const VehicleModel& vehicle, double steer);
+
+/// The same for hot loops: sines, written to `sines`.
+void AckermannSines(const VehicleModel& vehicle, double steer, double* sines);
+
+}  // namespace dbd

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <dbd/core/vehicle_model.h>
+
+namespace dbd {
+
+// Powertrain (paper section 4.6): torque curve, automatic gear choice by engine speed, clutch with
+// exponential delay, transfer case and differentials.
+
+struct PowertrainState {
+  int gear = 0;                ///< index into gear_ratios
+  double time_in_gear = 1e3;   ///< since the last shift [s]
+  double engine_speed = 0;     ///< [rad/s]
+  double engine_torque = 0;    ///< delivered [N m]
+};
+
+/// Largest torque at an engine speed: the polynomial between idle and the rev limit, nothing above
+/// it. Below idle the clutch slips and the engine stays at its least speed.
+double FullThrottleTorque(const PowertrainModel& powertrain, double engine_speed);
+
+/// From the torque asked for to the torque on the sum of all driven wheels [N m]. `wheel_speed`:
+/// mean of the driven wheels [rad/s].
+double UpdatePowertrain(const PowertrainModel& powertrain, double asked_torque,
+                        double wheel_speed, double dt, PowertrainState& state);
+
+/// Speed at the rev limit in the highest gear, or where the drag-free power ends [m/s].
+double TopSpeed(const VehicleModel& vehicle);
+
+/// Largest sum of wheel torques, lowest gear [N m].
+double MaxWheelTorque(const PowertrainModel& powertrain);
+
+}  // namespace dbd

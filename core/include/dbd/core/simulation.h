@@ -1,0 +1,85 @@
+#pragma once
+
+#include <dbd/core/driver.h>
+#include <dbd/core/ground.h>
+#include <dbd/core/powertrain.h>
+#include <dbd/core/vehicle_model.h>
+
+#include <Eigen/Geometry>
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace dbd {
+
+/// A wheel as others see it.
+struct WheelView {
+  Eigen::Vector3d p_WH = Eigen::Vector3d::Zero();       ///< hub
+  Eigen::Vector3d contact_W = Eigen::Vector3d::Zero();  ///< last contact point
+  Eigen::Vector3d normal_W = Eigen::Vector3d::UnitZ();  ///< of the ground there
+  double load = 0;           ///< [N], 0 = in the air
+  double slip = 0;           ///< signed
+  double spin = 0;           ///< [rad/s]
+  double net_traction = 0;   ///< along the heading [N]
+  double traction_capacity = 0;  ///< largest gross traction here under this load [N]
+  double lateral = 0;        ///< [N]
+  double deflection = 0;     ///< of the tire [m]
+  double cone_index = 0;     ///< of the soil under it [Pa]
+  double drive_power = 0;    ///< [W]
+};
+
+/// Pose and motion of the chassis; angles after REP-103: pitch nose down, roll left side up.
+struct ChassisView {
+  Eigen::Vector3d p_WB = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond q_WB = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d v_WB = Eigen::Vector3d::Zero();
+  Eigen::Vector3d w_WB = Eigen::Vector3d::Zero();
+  double yaw = 0;
+  double pitch = 0;
+  double roll = 0;
+  double forward_speed = 0;
+};
+
+/// One vehicle driving on one ground, in double precision: the reference of the engine and the
+/// simplest way to use it. Not safe to share between threads; vehicle and ground are only read and
+/// may be shared by any number of simulations.
+class Simulation {
+ public:
+  /// Both must outlive the simulation.
+  Simulation(const VehicleModel& vehicle, const Ground& ground);
+  ~Simulation();
+  Simulation(Simulation&&) noexcept;
+
+  /// Stands the vehicle on the ground with the middle of its rearmost fixed axle over `position`,
+  /// and lets it settle with brakes on for `settle_time` [s], with numerical damping so that the
+  /// lightly damped springs come to rest. Time starts at 0 after that.
+  void Place(const Eigen::Vector2d& position, double heading, double settle_time = 1.0);
+
+  /// Drives one control interval.
+  void Advance(const DriverCommand& command);
+
+  double time() const;
+  double control_step() const;
+  ChassisView Chassis() const;
+  WheelView Wheel(int index) const;
+  DriverView ViewForDriver() const;
+  const PowertrainState& powertrain() const;
+
+  double SpringForce(int index) const;  ///< of the last step, compression positive [N]
+  double LinkForce(int index) const;    ///< tension positive [N]
+
+  /// Energy done by the drive torque since the start [J].
+  double drive_energy() const;
+
+  /// Everything finite, no body torn off (no stiff link stretched by more than 0.2 m).
+  bool IsSane() const;
+
+  /// Hash of the whole state, bit by bit.
+  std::uint64_t StateHash() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace dbd

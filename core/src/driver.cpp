@@ -1,0 +1,144 @@
+#include <dbd/core/driver.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dbd {
+namespace {
+
+constexpr double kProfileStep = 0.5;    // [m]
+constexpr double kCurvatureWindow = 1.5;  // [m] to each side
+constexpr double kFarAhead = 1e4;       // [m] length of the line driven when there is no path
+constexpr double kStandstill = 0.05;    // [m/s]
+
+/// Longitudinal distance from the turning centre's line to each axle; the line runs through the
+/// middle of the axles that do not steer.
+double FixedAxleX(const VehicleModel& vehicle) {
+  double sum = 0;
+  int count = 0;
+  for (const AxleModel& axle : vehicle.axles) {
+    if (axle.steer_ratio == 0) sum += axle.x, ++count;
+  }
+  if (count > 0) return sum / count;
+  for (const AxleModel& axle : vehicle.axles) sum += axle.x;
+  return sum / static_cast<double>(vehicle.axles.size());
+}
+
+/// The steered axle farthest from the fixed line: the mean steer angle is its angle.
+const AxleModel& LeadingAxle(const VehicleModel& vehicle) {
+  const double x0 = FixedAxleX(vehicle);
+  const AxleModel* lead = nullptr;
+  for (const AxleModel& axle : vehicle.axles) {
+    if (axle.steer_ratio == 0) continue;
+    if (lead == nullptr || std::abs(axle.x - x0) > std::abs(lead->x - x0)) lead = &axle;
+  }
+  return *lead;
+}
+
+}  // namespace
+
+void AckermannSines(const VehicleModel& vehicle, double steer, double* sines) {
+  const double x0 = FixedAxleX(vehicle);
+  const double curvature = std::tan(steer) / (LeadingAxle(vehicle).x - x0);
+  for (const AxleModel& axle : vehicle.axles) {
+    for (const bool left : {true, false}) {
+      const int wheel = left ? axle.left : axle.right;
+      sines[wheel] = 0;
+      if (axle.steer_ratio == 0) continue;
+      const double side = (left ? 0.5 : -0.5) * axle.track;
+      const double tangent = (axle.x - x0) * curvature / (1 - side * curvature);
+      sines[wheel] = tangent / std::sqrt(1 + tangent * tangent);
+    }
+  }
+}
+
+std::vector<double> AckermannAngles(const VehicleModel& vehicle, double steer) {
+  std::vector<double> angles(vehicle.wheels.size());
+  AckermannSines(vehicle, steer, angles.data());
+  for (double& angle : angles) angle = std::asin(angle);
+  return angles;
+}
+
+Driver::Driver(const VehicleModel& vehicle, const Path& path, const DriverOptions& options)
+    : vehicle_(vehicle), path_(path), options_(options) {
+  const AxleModel& lead = LeadingAxle(vehicle);
+  wheelbase_ = lead.x - FixedAxleX(vehicle);
+  max_steer_ = lead.max_steer;
+  options_.target_speed = std::min(options_.target_speed, vehicle.limits.max_speed);
+  options_.curve_acceleration =
+      std::min(options_.curve_acceleration, vehicle.limits.max_lateral_acceleration);
+  if (!path_.empty()) BuildSpeedProfile();
+}
+
+void Driver::SetStart(const Eigen::Vector2d& position, double heading) {
+  if (!path_.empty()) return;
+  const Eigen::Vector2d ahead(std::cos(heading), std::sin(heading));
+  path_ = Path({position, position + kFarAhead * ahead});
+  options_.stop_at_end = false;
+}
+
+/// Curves limit the speed; a backward sweep makes the vehicle brake before them.
+void Driver::BuildSpeedProfile() {
+  const int count = static_cast<int>(std::ceil(path_.length() / kProfileStep)) + 1;
+  speed_profile_.resize(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    const double curvature = std::abs(path_.Curvature(i * kProfileStep, kCurvatureWindow));
+    const double curve = std::sqrt(options_.curve_acceleration / std::max(curvature, 1e-6));
+    speed_profile_[static_cast<std::size_t>(i)] = std::min(options_.target_speed, curve);
+  }
+  for (std::size_t i = speed_profile_.size() - 1; i-- > 0;) {
+    const double next = speed_profile_[i + 1];
+    const double reachable = std::sqrt(next * next + 2 * options_.deceleration * kProfileStep);
+    speed_profile_[i] = std::min(speed_profile_[i], reachable);
+  }
+}
+
+double Driver::SpeedLimit(double s) const {
+  if (speed_profile_.empty()) return options_.target_speed;
+  const auto last = static_cast<double>(speed_profile_.size() - 1);
+  const double index = std::clamp(s / kProfileStep, 0.0, last);
+  return speed_profile_[static_cast<std::size_t>(index)];
+}
+
+double Driver::TargetSpeed(const DriverView& view, const DriverState& state) const {
+  const double limit = SpeedLimit(state.arc_length + 0.3 * view.speed);
+  if (!options_.stop_at_end) return limit;
+  const double left = path_.length() - state.arc_length;
+  return left <= 0.1 ? 0.0 : std::min(limit, std::sqrt(2 * options_.deceleration * left));
+}
+
+/// Pure pursuit: the arc through the lookahead point, curvature 2 y / d^2.
+double Driver::Steer(const DriverView& view, DriverState& state) const {
+  const double window = 2.0 + 2 * std::abs(view.speed);
+  state.arc_length =
+      path_.NearestArcLength(view.position, state.arc_length, state.arc_length + window);
+  const double lookahead =
+      options_.least_lookahead + options_.lookahead_time * std::max(0.0, view.speed);
+  const Eigen::Vector2d d = path_.Position(state.arc_length + lookahead) - view.position;
+  const double lateral = -std::sin(view.heading) * d.x() + std::cos(view.heading) * d.y();
+  const double curvature = 2 * lateral / std::max(d.squaredNorm(), 1e-3);
+  return std::clamp(std::atan(curvature * wheelbase_), -max_steer_, max_steer_);
+}
+
+DriverCommand Driver::Update(const DriverView& view, double dt, DriverState& state) const {
+  DriverCommand command;
+  command.steer = Steer(view, state);
+  state.target_speed = TargetSpeed(view, state);
+  const double error = state.target_speed - view.speed;
+  const double most = 10 * options_.speed_gain;
+  state.integral = std::clamp(state.integral + options_.integral_gain * error * dt, -most, most);
+  if (state.target_speed <= 0) {
+    state.integral = 0;
+    command.brake = 1;
+    state.arrived = std::abs(view.speed) < kStandstill;
+    return command;
+  }
+  command.engine_torque = options_.speed_gain * error + state.integral;
+  if (error < -0.5) {
+    command.brake = std::min(1.0, options_.brake_gain * (-error - 0.5));
+    state.integral = std::min(state.integral, 0.0);
+  }
+  return command;
+}
+
+}  // namespace dbd

@@ -1,0 +1,76 @@
+#include <dbd/core/powertrain.h>
+#include <dbd/core/terramechanics.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dbd {
+namespace {
+
+double TotalRatio(const PowertrainModel& powertrain, int gear) {
+  return powertrain.gear_ratios[static_cast<std::size_t>(gear)] * powertrain.transfer_ratio *
+         powertrain.final_ratio;
+}
+
+/// Gear 0 is the lowest: ratios fall. Shifts are `shift_interval` apart, so that the choice does
+/// not hunt.
+void ChooseGear(const PowertrainModel& powertrain, double wheel_speed, PowertrainState& state) {
+  if (state.time_in_gear < powertrain.shift_interval) return;
+  const double speed = wheel_speed * TotalRatio(powertrain, state.gear);
+  const int last = static_cast<int>(powertrain.gear_ratios.size()) - 1;
+  const int wish = speed > powertrain.upshift_speed     ? state.gear + 1
+                   : speed < powertrain.downshift_speed ? state.gear - 1
+                                                        : state.gear;
+  const int gear = std::clamp(wish, 0, last);
+  if (gear == state.gear) return;
+  state.gear = gear;
+  state.time_in_gear = 0;
+}
+
+}  // namespace
+
+double FullThrottleTorque(const PowertrainModel& powertrain, double engine_speed) {
+  if (engine_speed > powertrain.max_speed) return 0;
+  const double w = std::max(engine_speed, powertrain.min_speed);
+  const auto& [a, b, c] = powertrain.torque_polynomial;
+  return std::max(0.0, (a * w + b) * w + c);
+}
+
+double UpdatePowertrain(const PowertrainModel& powertrain, double asked_torque,
+                        double wheel_speed, double dt, PowertrainState& state) {
+  ChooseGear(powertrain, wheel_speed, state);
+  state.time_in_gear += dt;
+  const double ratio = TotalRatio(powertrain, state.gear);
+  const double shaft_speed = wheel_speed * ratio;
+  state.engine_speed = std::clamp(shaft_speed, powertrain.min_speed, powertrain.max_speed);
+  // A slipping clutch passes drive but no engine braking, which would turn the wheels backwards.
+  const double least = shaft_speed > powertrain.min_speed ? -powertrain.braking_torque : 0.0;
+  const double most = FullThrottleTorque(powertrain, shaft_speed);
+  const double engagement =
+      powertrain.clutch_time > 0 ? 1 - std::exp(-state.time_in_gear / powertrain.clutch_time) : 1;
+  state.engine_torque = engagement * std::clamp(asked_torque, least, std::max(most, least));
+  return state.engine_torque * ratio * powertrain.efficiency;
+}
+
+double TopSpeed(const VehicleModel& vehicle) {
+  const PowertrainModel& powertrain = vehicle.powertrain;
+  const int last = static_cast<int>(powertrain.gear_ratios.size()) - 1;
+  double radius = 0;
+  for (const WheelModel& wheel : vehicle.wheels) {
+    if (!vehicle.axles[wheel.axle].driven) continue;
+    radius = LoadedRollingRadius(wheel.tire.radius, wheel.static_load / wheel.tire.stiffness);
+  }
+  return powertrain.max_speed / TotalRatio(powertrain, last) * radius;
+}
+
+double MaxWheelTorque(const PowertrainModel& powertrain) {
+  double most = 0;
+  for (int i = 0; i <= 100; ++i) {
+    const double w =
+        powertrain.min_speed + 0.01 * i * (powertrain.max_speed - powertrain.min_speed);
+    most = std::max(most, FullThrottleTorque(powertrain, w));
+  }
+  return most * TotalRatio(powertrain, 0) * powertrain.efficiency;
+}
+
+}  // namespace dbd
