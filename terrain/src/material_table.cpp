@@ -1,5 +1,6 @@
 #include <dbd/core/embedded_file.h>
 #include <dbd/core/error.h>
+#include <dbd/core/internal/json_object.h>
 #include <dbd/core/units.h>
 #include <dbd/terrain/material_map.h>
 
@@ -9,12 +10,10 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
-#include <nlohmann/json.hpp>
+#include <set>
 #include <span>
 #include <sstream>
 #include <utility>
-
-#include "nearest_name.h"
 
 namespace dbd {
 
@@ -22,117 +21,54 @@ std::span<const EmbeddedFile> EmbeddedMaterialFiles();
 
 namespace {
 
-using Json = nlohmann::json;
+using internal::JsonObject;
 
 constexpr const char* kSchema = "dbd.materials/1";
 
-// A place in a JSON file, for messages.
-struct Place {
-  std::string file;
-  std::string path;
+constexpr double kHardestKpa = 20000;
+constexpr double kHighestFriction = 1.5;
 
-  Place operator/(const std::string& key) const {
-    return {file, path.empty() ? key : path + "." + key};
-  }
-  [[noreturn]] void Fail(const std::string& what) const {
-    throw InputError(file + ": " + (path.empty() ? "" : path + " ") + what);
-  }
-};
-
-void CheckKeys(const Json& object, const std::vector<std::string>& allowed, const Place& place) {
-  if (!object.is_object()) place.Fail("must be an object");
-  for (const auto& [key, value] : object.items()) {
-    if (std::find(allowed.begin(), allowed.end(), key) != allowed.end()) continue;
-    (place / key).Fail("is not a known key; nearest is '" + NearestName(key, allowed) + "'");
-  }
-}
-
-const Json& Get(const Json& object, const std::string& key, const Place& place) {
-  if (!object.contains(key)) (place / key).Fail("is missing");
-  return object.at(key);
-}
-
-std::string GetText(const Json& object, const std::string& key, const Place& place) {
-  const Json& value = Get(object, key, place);
-  if (!value.is_string() || value.get<std::string>().empty()) {
-    (place / key).Fail("is " + value.dump() + ", must be text");
-  }
-  return value.get<std::string>();
-}
-
-double GetNumber(const Json& object, const std::string& key, const Place& place) {
-  const Json& value = Get(object, key, place);
-  if (!value.is_number()) (place / key).Fail("is " + value.dump() + ", must be a number");
-  return value.get<double>();
-}
-
-int GetCode(const Json& object, const Place& place) {
-  const Json& value = Get(object, "code", place);
-  if (!value.is_number_integer() || value.get<double>() < 0 ||
-      value.get<double>() > std::numeric_limits<int>::max()) {
-    (place / "code").Fail("is " + value.dump() + ", must be an integer of at least 0");
-  }
-  return value.get<int>();
-}
-
-Material ParseMaterial(const Json& row, const Place& place) {
-  CheckKeys(row,
-            {"code", "name", "cone_index_kpa", "friction_limit", "cone_index_spread", "passable",
-             "source"},
-            place);
+Material ParseMaterial(const JsonObject& row) {
   Material material;
-  material.code = GetCode(row, place);
-  material.name = GetText(row, "name", place);
-  material.soil.cone_index = Kilopascals(GetNumber(row, "cone_index_kpa", place));
-  if (row.contains("friction_limit")) {
-    material.soil.friction_limit = GetNumber(row, "friction_limit", place);
-  }
-  if (row.contains("cone_index_spread")) {
-    material.cone_index_spread = GetNumber(row, "cone_index_spread", place);
-  }
-  if (row.contains("passable")) {
-    if (!row["passable"].is_boolean()) {
-      (place / "passable").Fail("is " + row["passable"].dump() + ", must be true or false");
-    }
-    material.passable = row["passable"].get<bool>();
-  }
-  material.source = row.contains("source") ? GetText(row, "source", place) : "assumed";
+  material.code = row.Integer("code", 0, std::numeric_limits<int>::max());
+  material.name = row.Text("name");
+  material.soil.cone_index = Kilopascals(row.Number("cone_index_kpa", 0, kHardestKpa));
+  material.soil.friction_limit =
+      row.Number("friction_limit", 0, kHighestFriction, material.soil.friction_limit);
+  material.cone_index_spread = row.Number("cone_index_spread", 0, 1, material.cone_index_spread);
+  material.passable = row.Flag("passable", material.passable);
+  material.source = row.Text("source", "assumed");
+  row.RefuseUnknownKeys();
   return material;
 }
 
 MaterialTable ParseTable(const std::string& file, const std::string& text,
                          const std::string& default_name) {
-  const Place top{file, ""};
-  Json root;
-  try {
-    root = Json::parse(text);
-  } catch (const Json::parse_error& error) {
-    top.Fail("is not valid JSON: " + std::string(error.what()));
-  }
-  CheckKeys(root, {"schema", "name", "description", "materials"}, top);
-  if (const std::string schema = GetText(root, "schema", top); schema != kSchema) {
-    (top / "schema").Fail("is '" + schema + "', must be '" + kSchema + "'");
-  }
-  const Json& rows = Get(root, "materials", top);
-  if (!rows.is_array()) (top / "materials").Fail("must be a list");
+  const JsonObject root = JsonObject::Parse(text, file, kSchema);
+  const std::string name = root.Text("name", default_name);
+  root.Text("description", "");
   std::vector<Material> materials;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    materials.push_back(ParseMaterial(rows[i], top / ("materials[" + std::to_string(i) + "]")));
-  }
-  const std::string name = root.contains("name") ? GetText(root, "name", top) : default_name;
+  for (const JsonObject& row : root.Children("materials")) materials.push_back(ParseMaterial(row));
+  root.RefuseUnknownKeys();
   try {
     return MaterialTable(name, std::move(materials));
   } catch (const InputError& error) {
-    top.Fail(error.what());
+    throw InputError(file + ": " + error.what());
   }
+}
+
+std::string Join(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
 }
 
 std::string ReadFile(const std::string& file) {
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) {
     const std::vector<std::string> names = MaterialTable::BuiltInNames();
-    throw InputError("material table '" + file + "' is neither a file nor built in; nearest is '" +
-                     NearestName(file, names) + "' (built in: " + Join(names) + ")");
+    throw InputError("material table '" + file + "' is neither a file nor built in; built in are " +
+                     Join(names));
   }
   std::ifstream stream(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
@@ -154,8 +90,9 @@ void CheckMaterial(const Material& material, const std::string& where) {
   const double friction = material.soil.friction_limit;
   const double spread = material.cone_index_spread;
   CheckRange(where + ".code", material.code, material.code >= 0, "at least 0");
-  CheckRange(where + ".cone_index_kpa", kpa, kpa > 0 && kpa <= 20000, "above 0 and at most 20000");
-  CheckRange(where + ".friction_limit", friction, friction > 0 && friction <= 1.5,
+  CheckRange(where + ".cone_index_kpa", kpa, kpa > 0 && kpa <= kHardestKpa,
+             "above 0 and at most 20000");
+  CheckRange(where + ".friction_limit", friction, friction > 0 && friction <= kHighestFriction,
              "above 0 and at most 1.5");
   CheckRange(where + ".cone_index_spread", spread, spread >= 0 && spread <= 1, "0 to 1");
 }
@@ -211,10 +148,10 @@ const Material* MaterialTable::FindName(const std::string& name) const {
 
 const Material& MaterialTable::GetName(const std::string& name) const {
   if (const Material* material = FindName(name)) return *material;
-  std::vector<std::string> names;
-  for (const Material& material : materials_) names.push_back(material.name);
+  std::set<std::string> names;
+  for (const Material& material : materials_) names.insert(material.name);
   throw InputError("material '" + name + "' is not in the material table '" + name_ +
-                   "'; nearest is '" + NearestName(name, names) + "'");
+                   "'; nearest is '" + internal::NearestWord(name, names) + "'");
 }
 
 }  // namespace dbd
