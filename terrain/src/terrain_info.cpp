@@ -1,0 +1,87 @@
+#include <dbd/terrain/terrain_info.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dbd {
+namespace {
+
+constexpr double kVehicleHeight = 2.0;  // what counts as in the way [m]
+
+// The cell and its four neighbours have heights.
+bool HasSlope(const HeightMap& heights, int column, int row) {
+  return heights.IsCellKnown(column, row) && heights.IsCellKnown(column - 1, row) &&
+         heights.IsCellKnown(column + 1, row) && heights.IsCellKnown(column, row - 1) &&
+         heights.IsCellKnown(column, row + 1);
+}
+
+// Sorted angles [rad].
+std::vector<float> Slopes(const HeightMap& heights) {
+  const HeightMap::Grid& grid = heights.grid();
+  std::vector<float> slopes;
+  slopes.reserve(grid.CellCount());
+  for (int row = 1; row + 1 < grid.rows; ++row) {
+    for (int column = 1; column + 1 < grid.columns; ++column) {
+      if (!HasSlope(heights, column, row)) continue;
+      const double east = heights.CellHeight(column + 1, row) - heights.CellHeight(column - 1, row);
+      const double north =
+          heights.CellHeight(column, row + 1) - heights.CellHeight(column, row - 1);
+      slopes.push_back(static_cast<float>(std::atan(
+          std::hypot(east / (2 * grid.cell_size.x()), north / (2 * grid.cell_size.y())))));
+    }
+  }
+  std::sort(slopes.begin(), slopes.end());
+  return slopes;
+}
+
+double Quantile(const std::vector<float>& sorted, double share) {
+  if (sorted.empty()) return 0;
+  return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+}
+
+void DescribeHeights(const Terrain& terrain, TerrainInfo* info) {
+  const HeightMap& heights = terrain.heights();
+  const HeightMap::Grid& grid = heights.grid();
+  info->columns = grid.columns;
+  info->rows = grid.rows;
+  info->cell_size = grid.cell_size;
+  info->extent = grid.cell_size.cwiseProduct(Eigen::Vector2d(grid.columns, grid.rows));
+  info->map_min = terrain.frame().ToMap(heights.min_corner() - 0.5 * grid.cell_size);
+  info->map_max = info->map_min + info->extent;
+  info->lowest = heights.lowest();
+  info->highest = heights.highest();
+  info->unknown_share = heights.unknown_share();
+  const std::vector<float> slopes = Slopes(heights);
+  info->median_slope = Quantile(slopes, 0.5);
+  info->slope_90_percent = Quantile(slopes, 0.9);
+  info->slope_99_percent = Quantile(slopes, 0.99);
+  info->steepest_slope = Quantile(slopes, 1.0);
+}
+
+void DescribeMaterials(const MaterialMap& map, TerrainInfo* info) {
+  const std::vector<Material>& materials = map.table().materials();
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    const double share = map.Share(static_cast<std::uint8_t>(i));
+    if (share > 0) info->materials.push_back({materials[i].name, share, materials[i].passable});
+  }
+  info->unknown_material_share = map.Share(MaterialMap::kNone);
+}
+
+}  // namespace
+
+TerrainInfo DescribeTerrain(const Terrain& terrain) {
+  TerrainInfo info;
+  DescribeHeights(terrain, &info);
+  DescribeMaterials(terrain.materials(), &info);
+  info.crs_name = terrain.frame().CrsName();
+  info.memory_bytes = terrain.heights().memory_bytes() + terrain.materials().memory_bytes() +
+                      terrain.obstacles().memory_bytes();
+  info.has_obstacles = !terrain.obstacles().empty();
+  if (info.has_obstacles) {
+    info.obstacle_cell_size = terrain.obstacles().grid().cell_size.x();
+    info.obstacle_share = terrain.obstacles().BlockedShare(kVehicleHeight);
+  }
+  return info;
+}
+
+}  // namespace dbd
