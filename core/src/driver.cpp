@@ -6,10 +6,10 @@
 namespace dbd {
 namespace {
 
-constexpr double kProfileStep = 0.5;    // [m]
+constexpr double kProfileStep = 0.5;      // [m]
 constexpr double kCurvatureWindow = 1.5;  // [m] to each side
-constexpr double kFarAhead = 1e4;       // [m] length of the line driven when there is no path
-constexpr double kStandstill = 0.05;    // [m/s]
+constexpr double kFarAhead = 1e4;         // [m] length of the line driven when there is no path
+constexpr double kStandstill = 0.05;      // [m/s]
 
 /// Longitudinal distance from the turning centre's line to each axle; the line runs through the
 /// middle of the axles that do not steer.

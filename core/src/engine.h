@@ -18,9 +18,7 @@ struct EngineModel {
     for (const WheelModel& wheel : vehicle->wheels) {
       patterns.push_back(MakeTirePattern(wheel.tire));
     }
-    const auto every = [this](double group) {
-      return static_cast<int>(std::lround(group / step));
-    };
+    const auto every = [this](double group) { return static_cast<int>(std::lround(group / step)); };
     spring_every = every(vehicle->steps.spring);
     tire_every = every(vehicle->steps.tire);
     control_every = every(vehicle->steps.control);

@@ -28,9 +28,9 @@ struct BodyState {
 template <class Real>
 struct TireContact {
   Vec3<Real> normal_W;
-  Vec3<Real> p_HC_W;   // hub to contact point
-  Vec3<Real> p_WH;     // hub at sampling time
-  Real deflection;     // at sampling time, 0 = no contact
+  Vec3<Real> p_HC_W;  // hub to contact point
+  Vec3<Real> p_WH;    // hub at sampling time
+  Real deflection;    // at sampling time, 0 = no contact
   Real cone_index;
   Real friction_limit;
 };
@@ -74,13 +74,13 @@ struct Wrench {
 /// Results of the tire force law that others report: per wheel, of the last step.
 template <class Real>
 struct TireReport {
-  Real load;           // along the normal [N]
+  Real load;  // along the normal [N]
   Real slip;
-  Real net_traction;   // along the heading [N]
-  Real capacity;       // largest gross traction on this soil under this load [N]
-  Real lateral;        // [N]
+  Real net_traction;  // along the heading [N]
+  Real capacity;      // largest gross traction on this soil under this load [N]
+  Real lateral;       // [N]
   Real deflection;
-  Real drive_power;    // of the drive torque [W]
+  Real drive_power;  // of the drive torque [W]
 };
 
 /// Scratch of one worker: sized once, so that a step allocates nothing.

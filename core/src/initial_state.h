@@ -58,14 +58,12 @@ template <class Real>
 EngineState<Real> InitialState(const VehicleModel& vehicle, const Ground& ground,
                                const Eigen::Vector2d& position, double heading) {
   double height = 0;
-  const Eigen::Quaterniond q =
-      AttitudeOnGround(vehicle, ground, position, heading, &height);
+  const Eigen::Quaterniond q = AttitudeOnGround(vehicle, ground, position, heading, &height);
   const Eigen::Vector3d p_RO = SteeringOrigin(vehicle) + vehicle.bodies[0].p_RB;
   // The steering origin's foot on the plane stands reference_height below it along the normal.
   const Eigen::Vector3d foot(position.x(), position.y(), height);
-  const Eigen::Vector3d p_WR =
-      foot + q * (Eigen::Vector3d(0, 0, vehicle.reference_height) -
-                  Eigen::Vector3d(p_RO.x(), p_RO.y(), 0));
+  const Eigen::Vector3d p_WR = foot + q * (Eigen::Vector3d(0, 0, vehicle.reference_height) -
+                                           Eigen::Vector3d(p_RO.x(), p_RO.y(), 0));
   EngineState<Real> state;
   for (const BodyModel& body : vehicle.bodies) {
     using S = ScalarOf<Real>;

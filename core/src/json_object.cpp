@@ -39,10 +39,9 @@ std::size_t EditDistance(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::string NearestWord(const std::string& word, const std::set<std::string>& words) {
-  const auto nearest =
-      std::min_element(words.begin(), words.end(), [&](const auto& a, const auto& b) {
-        return EditDistance(word, a) < EditDistance(word, b);
-      });
+  const auto nearest = std::min_element(
+      words.begin(), words.end(),
+      [&](const auto& a, const auto& b) { return EditDistance(word, a) < EditDistance(word, b); });
   return nearest == words.end() ? std::string() : *nearest;
 }
 
@@ -79,8 +78,8 @@ double JsonObject::Number(const std::string& key, double least, double most) con
   if (!value.is_number()) Fail(key, "is " + Short(value) + ", must be a number");
   const double number = value.get<double>();
   if (!(number >= least && number <= most)) {
-    Fail(key, "is " + Format(number) + ", must be between " + Format(least) + " and " +
-                  Format(most));
+    Fail(key,
+         "is " + Format(number) + ", must be between " + Format(least) + " and " + Format(most));
   }
   return number;
 }

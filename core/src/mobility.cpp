@@ -12,10 +12,10 @@ namespace {
 
 double StaticMobility(const WheelModel& wheel, const SoilSample& soil) {
   const TireModel& tire = wheel.tire;
-  return std::min(kHardSoilMobility,
-                  BrixiusMobilityNumber(soil.cone_index, wheel.static_load, tire.width,
-                                        2 * tire.radius,
-                                        wheel.static_load / tire.stiffness / tire.section_height));
+  return std::min(
+      kHardSoilMobility,
+      BrixiusMobilityNumber(soil.cone_index, wheel.static_load, tire.width, 2 * tire.radius,
+                            wheel.static_load / tire.stiffness / tire.section_height));
 }
 
 double WheelNetTraction(const WheelModel& wheel, bool driven, const SoilSample& soil) {

@@ -36,8 +36,8 @@ double FullThrottleTorque(const PowertrainModel& powertrain, double engine_speed
   return std::max(0.0, (a * w + b) * w + c);
 }
 
-double UpdatePowertrain(const PowertrainModel& powertrain, double asked_torque,
-                        double wheel_speed, double dt, PowertrainState& state) {
+double UpdatePowertrain(const PowertrainModel& powertrain, double asked_torque, double wheel_speed,
+                        double dt, PowertrainState& state) {
   ChooseGear(powertrain, wheel_speed, state);
   state.time_in_gear += dt;
   const double ratio = TotalRatio(powertrain, state.gear);

@@ -33,6 +33,13 @@ struct Simulation::Impl {
 
   void Step() { StepEngine(engine, ground, controls, state, work); }
 
+  /// Braking by the engine gives nothing back.
+  void AddEnergy() {
+    for (const TireReport<double>& tire : work.tires) {
+      energy += std::max(0.0, tire.drive_power) * engine.step;
+    }
+  }
+
   double DrivenWheelSpeed() const {
     double sum = 0;
     int count = 0;
@@ -89,7 +96,7 @@ void Simulation::Advance(const DriverCommand& command) {
   s.SetControls(command, control_step());
   for (int i = 0; i < s.engine.control_every; ++i) {
     s.Step();
-    for (const TireReport<double>& tire : s.work.tires) s.energy += tire.drive_power * s.engine.step;
+    s.AddEnergy();
   }
 }
 
@@ -120,8 +127,7 @@ WheelView Simulation::Wheel(int index) const {
   const WheelState<double>& state = impl_->state.wheels[index];
   const TireReport<double>& tire = impl_->work.tires[index];
   const BodyState<double>& body = impl_->state.bodies[wheel.body];
-  const Vec3<double> p_WH =
-      body.p_WB + RotationMatrix(body.q_WB) * Broadcast<double>(wheel.p_BH);
+  const Vec3<double> p_WH = body.p_WB + RotationMatrix(body.q_WB) * Broadcast<double>(wheel.p_BH);
   WheelView view;
   view.p_WH = ToEigen(p_WH);
   view.contact_W = ToEigen(state.contact.p_WH + state.contact.p_HC_W);

@@ -39,8 +39,7 @@ NetTractionOptimum MaxNetTraction(const BrixiusCoefficients& c, double mobility)
 }
 
 double Slip(double peripheral_speed, double forward_speed, double floor_speed) {
-  const double scale =
-      std::max({std::abs(peripheral_speed), std::abs(forward_speed), floor_speed});
+  const double scale = std::max({std::abs(peripheral_speed), std::abs(forward_speed), floor_speed});
   return (peripheral_speed - forward_speed) / scale;
 }
 
@@ -48,8 +47,7 @@ double LoadedRollingRadius(double radius, double deflection) {
   return RollingRadius(radius, deflection);
 }
 
-double LinesMurphyStiffness(double rim_diameter, double width, double pressure,
-                            double age_years) {
+double LinesMurphyStiffness(double rim_diameter, double width, double pressure, double age_years) {
   const double rim = rim_diameter / 0.0254;
   const double section = width / 0.0254;
   const double bar = pressure / 1e5;

@@ -8,10 +8,10 @@
 namespace dbd {
 namespace {
 
-constexpr double kSafety = 3.0;          // paper section 3: "dividing t_cr by a factor of 3"
-constexpr double kQuantum = 0.5e-3;      // [s]
-constexpr double kSlowestTire = 4e-3;    // [s] beyond it the sampled contact lags visibly
-constexpr double kSlowestControl = 4e-3; // [s]
+constexpr double kSafety = 3.0;           // paper section 3: "dividing t_cr by a factor of 3"
+constexpr double kQuantum = 0.5e-3;       // [s]
+constexpr double kSlowestTire = 4e-3;     // [s] beyond it the sampled contact lags visibly
+constexpr double kSlowestControl = 4e-3;  // [s]
 
 double LeverArm(const Eigen::Vector3d& point, const Eigen::Vector3d& direction) {
   return point.cross(direction).norm();
@@ -26,8 +26,7 @@ double RoundDown(double step) {
 CriticalStep CriticalStepOf(const VehicleModel& vehicle, const LinkModel& link) {
   const BodyModel& a = vehicle.bodies[link.body_a];
   const BodyModel& b = vehicle.bodies[link.body_b];
-  const Eigen::Vector3d direction =
-      (b.p_RB + link.p_B - a.p_RB - link.p_A).normalized();
+  const Eigen::Vector3d direction = (b.p_RB + link.p_B - a.p_RB - link.p_A).normalized();
   const auto rotational = [&](const BodyModel& body, const Eigen::Vector3d& point) {
     const double arm = LeverArm(point, direction);
     if (arm < 1e-6) return std::numeric_limits<double>::infinity();

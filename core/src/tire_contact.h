@@ -14,11 +14,11 @@ namespace dbd {
 // force from the shape of the ground under the contact.
 //
 // The planes stay upright: they follow camber and steering, never the wheel's rotation, so that the
-// result does not depend on the phase of the points. Between neighbouring points the ground is taken
-// as straight and the tire as the parabola through its circle; the area where the tire is below the
-// ground then has a closed form, exact to third order, with entry and exit found inside the segment.
-// Known difference: points above the hub are left out. They cannot touch a height field before
-// the lower half is buried.
+// result does not depend on the phase of the points. Between neighbouring points the ground is
+// taken as straight and the tire as the parabola through its circle; the area where the tire is
+// below the ground then has a closed form, exact to third order, with entry and exit found inside
+// the segment. Known difference: points above the hub are left out. They cannot touch a height
+// field before the lower half is buried.
 
 inline constexpr int kTirePlanes = 3;
 inline constexpr int kMaxLowerPoints = 33;  // of one plane, for 64 points round the circle
@@ -70,8 +70,8 @@ struct ContactSums {
 
 /// Adds one segment: penetration p(t) = p0 + b t - q t^2 for t in [0, 1], counted where positive.
 template <class Real>
-void AddSegment(const Real& p0, const Real& p1, const Real& g0, const Real& g1, double x0, double x1,
-                double y, double bulge, const Real& slope_y, ContactSums<Real>& sums) {
+void AddSegment(const Real& p0, const Real& p1, const Real& g0, const Real& g1, double x0,
+                double x1, double y, double bulge, const Real& slope_y, ContactSums<Real>& sums) {
   using S = ScalarOf<Real>;
   const Real q{S(bulge)};
   const Real b = p1 - p0 + q;
@@ -210,8 +210,8 @@ ContactSums<Real> SumContact(const TirePattern& pattern, const Ground& ground,
   std::array<std::array<Real, kTirePlanes>, kMaxLowerPoints> vertical;
   VerticalPenetrations(pattern, ground, R_WT, p_WH, half - active, half + active, vertical);
   ContactSums<Real> sums;
-  PointRow<Real> row = ToTireFrame(vertical[half - active], R_WT, pattern.half_span,
-                                   pattern.z[half - active]);
+  PointRow<Real> row =
+      ToTireFrame(vertical[half - active], R_WT, pattern.half_span, pattern.z[half - active]);
   for (int i = half - active; i < half + active; ++i) {
     const PointRow<Real> next =
         ToTireFrame(vertical[i + 1], R_WT, pattern.half_span, pattern.z[i + 1]);
@@ -240,8 +240,8 @@ void SampleContact(const TirePattern& pattern, const Ground& ground, const Vec3<
   const ContactSums<Real> sums = SumContact(pattern, ground, R_WT, p_WH, active);
   const Real least_area{S(1e-12)};
   const Real scale = Real(1) / Max(sums.area, least_area);
-  contact.normal_W = Normalized(R_WT.z - (scale * sums.slope_x) * R_WT.x -
-                                (scale * sums.slope_y) * R_WT.y);
+  contact.normal_W =
+      Normalized(R_WT.z - (scale * sums.slope_x) * R_WT.x - (scale * sums.slope_y) * R_WT.y);
   contact.p_HC_W = R_WT * Vec3<Real>{scale * sums.x, scale * sums.y, scale * sums.z};
   contact.deflection =
       Select(sums.area > least_area,

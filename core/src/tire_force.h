@@ -17,10 +17,10 @@ namespace dbd {
 // - Spin is advanced semi-implicitly, and the same updated force acts on the wheel's body.
 // - The deflection follows the hub along the contact normal between samples (SPLIT).
 
-inline constexpr double kBristleTime = 0.02;      // [s]
-inline constexpr double kBristleSpeed = 1.0;      // [m/s] where the bristle damper has halved
-inline constexpr double kResistanceSpeed = 0.1;   // [m/s] over which resistance changes its sign
-inline constexpr double kEllipseFloor = 0.02;     // least share of (lateral / full)^2
+inline constexpr double kBristleTime = 0.02;     // [s]
+inline constexpr double kBristleSpeed = 1.0;     // [m/s] where the bristle damper has halved
+inline constexpr double kResistanceSpeed = 0.1;  // [m/s] over which resistance changes its sign
+inline constexpr double kEllipseFloor = 0.02;    // least share of (lateral / full)^2
 
 /// One tire's forces before its spin is known: traction is linear in the spin around `spin0`.
 template <class Real>
@@ -34,7 +34,7 @@ struct TireLaw {
   Real carcass_torque;    // opposes rolling
   Real resistance;        // along forward, negative when rolling forward
   Real lateral;
-  Real slip_gain;         // slip after the step = slip_base + slip_gain * spin
+  Real slip_gain;  // slip after the step = slip_base + slip_gain * spin
   Real slip_base;
 };
 
@@ -98,8 +98,7 @@ void SetLateral(const TireModel& tire, const Real& vx, const Real& vy, double st
   const Real use = law.traction0 / Max(law.traction_limit, Real(S(kLeastLoad)));
   const Real ellipse = Sqrt(Max(one - use * use, Real(S(kEllipseFloor))));
   const Real limit = Real(S(tire.lateral_limit / tire.traction.traction_max)) * capacity * law.load;
-  const Real size =
-      limit * ellipse * (one - Exp(Real(S(-tire.lateral_rate)) * Abs(angle)));
+  const Real size = limit * ellipse * (one - Exp(Real(S(-tire.lateral_rate)) * Abs(angle)));
   law.lateral = Select(angle < Real(0), size, Real(-1) * size);
 }
 
@@ -125,8 +124,7 @@ TireLaw<Real> EvaluateTire(const WheelModel& model, const BodyState<Real>& body,
   law.rolling_radius = RollingRadius(tire.radius, deflection);
   const Real mobility = MobilityNumber(contact.cone_index, law.load, deflection, tire.width,
                                        2 * tire.radius, tire.section_height);
-  const Real capacity =
-      Min(TractionCapacity(tire.traction, mobility), contact.friction_limit);
+  const Real capacity = Min(TractionCapacity(tire.traction, mobility), contact.friction_limit);
   law.traction_limit = capacity * law.load;
   SetTraction(tire, wheel, vx, step, law);
   SetLateral(tire, vx, vy, step, capacity, wheel, law);

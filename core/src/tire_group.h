@@ -42,8 +42,7 @@ void ApplyTire(const WheelModel& wheel, const TireLaw<Real>& law, const HubPose<
                const WheelState<Real>& state, const BodyState<Real>& body, Workspace<Real>& work) {
   using S = ScalarOf<Real>;
   const Real along = traction + law.resistance;
-  const Vec3<Real> f =
-      law.load * law.normal_W + along * law.forward_W + law.lateral * law.left_W;
+  const Vec3<Real> f = law.load * law.normal_W + along * law.forward_W + law.lateral * law.left_W;
   Vec3<Real> moment = Cross(state.contact.p_HC_W, f);
   moment -= Dot(moment, hub.y_W) * hub.y_W;
   Wrench<Real>& wrench = work.wrench[wheel.body];
@@ -79,8 +78,12 @@ void AddTireForces(const VehicleModel& model, const WheelControls<Real>& control
                                 Real(-1) * law.traction_limit, law.traction_limit);
     ApplyTire(wheel, law, hubs[i], traction, controls.drive_torque[i], brake_torque[i], w,
               state.bodies[wheel.body], work);
-    work.tires[i] = {law.load,           w.slip,      traction + law.resistance,
-                     law.traction_limit, law.lateral, law.load * Real(S(1 / wheel.tire.stiffness)),
+    work.tires[i] = {law.load,
+                     w.slip,
+                     traction + law.resistance,
+                     law.traction_limit,
+                     law.lateral,
+                     law.load * Real(S(1 / wheel.tire.stiffness)),
                      controls.drive_torque[i] * w.spin};
   }
 }

@@ -84,8 +84,7 @@ void SolveForces(const std::vector<Unknown>& unknowns, const Vector6& load) {
   }
   const Eigen::VectorXd forces = scaled.completeOrthogonalDecomposition().solve(-load);
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
-    *unknowns[i].force =
-        std::sqrt(unknowns[i].stiffness) * forces(static_cast<Eigen::Index>(i));
+    *unknowns[i].force = std::sqrt(unknowns[i].stiffness) * forces(static_cast<Eigen::Index>(i));
   }
 }
 

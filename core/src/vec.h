@@ -65,9 +65,7 @@ struct Mat3 {
   Vec3<Real> x, y, z;
 
   Vec3<Real> operator*(const Vec3<Real>& v) const { return v.x * x + v.y * y + v.z * z; }
-  Vec3<Real> TransposeTimes(const Vec3<Real>& v) const {
-    return {Dot(x, v), Dot(y, v), Dot(z, v)};
-  }
+  Vec3<Real> TransposeTimes(const Vec3<Real>& v) const { return {Dot(x, v), Dot(y, v), Dot(z, v)}; }
 };
 
 template <class Real>
@@ -77,10 +75,9 @@ struct Quat {
 
 template <class Real>
 Quat<Real> operator*(const Quat<Real>& a, const Quat<Real>& b) {
-  return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z,
-          a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
-          a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
-          a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
+  return {
+      a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
+      a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
 }
 
 template <class Real>

@@ -171,7 +171,8 @@ void ReadAxle(const JsonObject& object, VehicleModel& vehicle) {
   axle.driven = object.Flag("driven", false);
   axle.steer_ratio = object.Number("steer_ratio", -1, 1, 0);
   if (axle.steer_ratio != 0) axle.max_steer = Degrees(object.Number("max_steer_deg", 1, 60));
-  if (object.Has("differential")) axle.differential = ReadDifferential(object.Child("differential"));
+  if (object.Has("differential"))
+    axle.differential = ReadDifferential(object.Child("differential"));
   const IndependentSuspension suspension = ReadSuspension(object.Child("suspension"));
   WheelModel wheel = ReadWheel(object.Child("wheel"));
   wheel.tire = ReadTire(object.Child("tire"));
@@ -232,8 +233,8 @@ VehicleOutline ReadOutline(const JsonObject& object, double p_RB_x) {
 }
 
 void ReadChassis(const JsonObject& object, VehicleModel& vehicle) {
-  vehicle.bodies.push_back({"chassis", object.Number("mass", kTiny, kMostMass),
-                            ReadInertia(object), object.Point("center_of_mass")});
+  vehicle.bodies.push_back({"chassis", object.Number("mass", kTiny, kMostMass), ReadInertia(object),
+                            object.Point("center_of_mass")});
   object.RefuseUnknownKeys();
 }
 

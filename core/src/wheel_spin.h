@@ -82,10 +82,10 @@ void AdvanceSpins(const VehicleModel& model, const WheelControls<Real>& controls
   SpinArray<Real> inertia{}, spin{};
   for (std::size_t i = 0; i < model.wheels.size(); ++i) {
     const TireLaw<Real>& law = laws[i];
-    inertia[i] = Real(S(model.wheels[i].spin_inertia)) +
-                 dt * law.rolling_radius * law.traction_by_spin;
-    const Real torque = controls.drive_torque[i] - law.rolling_radius * law.traction0 -
-                        law.carcass_torque;
+    inertia[i] =
+        Real(S(model.wheels[i].spin_inertia)) + dt * law.rolling_radius * law.traction_by_spin;
+    const Real torque =
+        controls.drive_torque[i] - law.rolling_radius * law.traction0 - law.carcass_torque;
     spin[i] = state.wheels[i].spin + dt * torque / inertia[i];
   }
   ApplyDifferentials(model, inertia, step, spin);

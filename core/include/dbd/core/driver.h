@@ -9,15 +9,15 @@ namespace dbd {
 // proportional speed control within the engine's limits.
 
 struct DriverOptions {
-  double target_speed = 5.0;       ///< on open ground [m/s]
-  double lookahead_time = 0.5;     ///< lookahead = least + time * speed [s]
-  double least_lookahead = 2.5;    ///< [m]
-  double deceleration = 1.5;       ///< used to plan stops and curve entries [m/s^2]
-  double curve_acceleration = 2.0; ///< lateral, in curves [m/s^2]
-  double speed_gain = 60.0;        ///< engine torque per speed error [N m s/m]
-  double integral_gain = 30.0;     ///< [N m/m]
-  double brake_gain = 0.4;         ///< share of full brake per m/s too fast, beyond 0.5 m/s
-  bool stop_at_end = true;         ///< of the path
+  double target_speed = 5.0;        ///< on open ground [m/s]
+  double lookahead_time = 0.5;      ///< lookahead = least + time * speed [s]
+  double least_lookahead = 2.5;     ///< [m]
+  double deceleration = 1.5;        ///< used to plan stops and curve entries [m/s^2]
+  double curve_acceleration = 2.0;  ///< lateral, in curves [m/s^2]
+  double speed_gain = 60.0;         ///< engine torque per speed error [N m s/m]
+  double integral_gain = 30.0;      ///< [N m/m]
+  double brake_gain = 0.4;          ///< share of full brake per m/s too fast, beyond 0.5 m/s
+  bool stop_at_end = true;          ///< of the path
 };
 
 /// What the driver sees of the vehicle.

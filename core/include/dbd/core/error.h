@@ -17,9 +17,9 @@ class InputError : public std::runtime_error {
 }  // namespace dbd
 
 /// Our mistake: ends the program with the place. Never used for what a user can cause.
-#define DBD_ASSERT(condition)                                   \
-  do {                                                          \
-    if (!(condition)) {                                         \
-      ::dbd::FailAssertion(#condition, __FILE__, __LINE__);     \
-    }                                                           \
+#define DBD_ASSERT(condition)                               \
+  do {                                                      \
+    if (!(condition)) {                                     \
+      ::dbd::FailAssertion(#condition, __FILE__, __LINE__); \
+    }                                                       \
   } while (false)

@@ -8,10 +8,10 @@ namespace dbd {
 // exponential delay, transfer case and differentials.
 
 struct PowertrainState {
-  int gear = 0;                ///< index into gear_ratios
-  double time_in_gear = 1e3;   ///< since the last shift [s]
-  double engine_speed = 0;     ///< [rad/s]
-  double engine_torque = 0;    ///< delivered [N m]
+  int gear = 0;               ///< index into gear_ratios
+  double time_in_gear = 1e3;  ///< since the last shift [s]
+  double engine_speed = 0;    ///< [rad/s]
+  double engine_torque = 0;   ///< delivered [N m]
 };
 
 /// Largest torque at an engine speed: the polynomial between idle and the rev limit, nothing above
@@ -20,8 +20,8 @@ double FullThrottleTorque(const PowertrainModel& powertrain, double engine_speed
 
 /// From the torque asked for to the torque on the sum of all driven wheels [N m]. `wheel_speed`:
 /// mean of the driven wheels [rad/s].
-double UpdatePowertrain(const PowertrainModel& powertrain, double asked_torque,
-                        double wheel_speed, double dt, PowertrainState& state);
+double UpdatePowertrain(const PowertrainModel& powertrain, double asked_torque, double wheel_speed,
+                        double dt, PowertrainState& state);
 
 /// Speed at the rev limit in the highest gear, or where the drag-free power ends [m/s].
 double TopSpeed(const VehicleModel& vehicle);

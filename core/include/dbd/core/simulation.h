@@ -17,15 +17,15 @@ struct WheelView {
   Eigen::Vector3d p_WH = Eigen::Vector3d::Zero();       ///< hub
   Eigen::Vector3d contact_W = Eigen::Vector3d::Zero();  ///< last contact point
   Eigen::Vector3d normal_W = Eigen::Vector3d::UnitZ();  ///< of the ground there
-  double load = 0;           ///< [N], 0 = in the air
-  double slip = 0;           ///< signed
-  double spin = 0;           ///< [rad/s]
-  double net_traction = 0;   ///< along the heading [N]
+  double load = 0;                                      ///< [N], 0 = in the air
+  double slip = 0;                                      ///< signed
+  double spin = 0;                                      ///< [rad/s]
+  double net_traction = 0;                              ///< along the heading [N]
   double traction_capacity = 0;  ///< largest gross traction here under this load [N]
-  double lateral = 0;        ///< [N]
-  double deflection = 0;     ///< of the tire [m]
-  double cone_index = 0;     ///< of the soil under it [Pa]
-  double drive_power = 0;    ///< [W]
+  double lateral = 0;            ///< [N]
+  double deflection = 0;         ///< of the tire [m]
+  double cone_index = 0;         ///< of the soil under it [Pa]
+  double drive_power = 0;        ///< [W]
 };
 
 /// Pose and motion of the chassis; angles after REP-103: pitch nose down, roll left side up.
@@ -68,7 +68,7 @@ class Simulation {
   double SpringForce(int index) const;  ///< of the last step, compression positive [N]
   double LinkForce(int index) const;    ///< tension positive [N]
 
-  /// Energy done by the drive torque since the start [J].
+  /// Work that the drive torque put into the wheels since the start [J].
   double drive_energy() const;
 
   /// Everything finite, no body torn off (no stiff link stretched by more than 0.2 m).

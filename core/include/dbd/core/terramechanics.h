@@ -19,8 +19,7 @@ double BrixiusMobilityNumber(double cone_index, double load, double width, doubl
 double GrossTractionRatio(const BrixiusCoefficients& coefficients, double mobility, double slip);
 
 /// Motion resistance / load, even in slip.
-double MotionResistanceRatio(const BrixiusCoefficients& coefficients, double mobility,
-                             double slip);
+double MotionResistanceRatio(const BrixiusCoefficients& coefficients, double mobility, double slip);
 
 /// Net traction / load = GTR - MRR: hub force = NTR W.
 double NetTractionRatio(const BrixiusCoefficients& coefficients, double mobility, double slip);

@@ -7,12 +7,12 @@ namespace dbd {
 /// What a vehicle may be exposed to (paper section 5.1, safety parameters), shared by the cheap
 /// trafficability layer and by the judge of full rollouts so that the two cannot disagree.
 struct VehicleLimits {
-  double max_roll = 0.52;        ///< of the chassis against level [rad]
-  double max_pitch = 0.61;       ///< of the chassis against level [rad]
-  double max_slope = 0.61;       ///< of the ground under the vehicle, in any direction [rad]
-  double max_sinkage = 0.1;      ///< of any wheel [m]
-  double min_clearance = 0.02;   ///< between belly and ground [m]
-  double max_speed = 15.0;       ///< a driver's limit, below the powertrain's [m/s]
+  double max_roll = 0.52;       ///< of the chassis against level [rad]
+  double max_pitch = 0.61;      ///< of the chassis against level [rad]
+  double max_slope = 0.61;      ///< of the ground under the vehicle, in any direction [rad]
+  double max_sinkage = 0.1;     ///< of any wheel [m]
+  double min_clearance = 0.02;  ///< between belly and ground [m]
+  double max_speed = 15.0;      ///< a driver's limit, below the powertrain's [m/s]
   double max_lateral_acceleration = 3.0;  ///< in curves [m/s^2]
 };
 

@@ -21,7 +21,7 @@ struct BodyModel {
   std::string name;
   double mass = 0;
   Eigen::Vector3d inertia = Eigen::Vector3d::Ones();  ///< principal, about the body's axes
-  Eigen::Vector3d p_RB = Eigen::Vector3d::Zero();  ///< design position in the reference frame R
+  Eigen::Vector3d p_RB = Eigen::Vector3d::Zero();     ///< design position in the reference frame R
 };
 
 /// A stiff spring-damper between two points: what DBD puts in the place of an arm or a joint
@@ -62,9 +62,9 @@ struct AxisJointModel {
   int body_b = 0;
   Eigen::Vector3d axis_a = Eigen::Vector3d::UnitY();
   Eigen::Vector3d axis_b = Eigen::Vector3d::UnitX();
-  double stiffness = 0;  ///< [N m / rad]
-  double damping = 0;    ///< [N m s / rad]
-  double rest = 0;       ///< [-]
+  double stiffness = 0;    ///< [N m / rad]
+  double damping = 0;      ///< [N m s / rad]
+  double rest = 0;         ///< [-]
   int steered_wheel = -1;  ///< wheel whose steer angle is the target, -1: none
 };
 
@@ -79,31 +79,31 @@ struct BrixiusCoefficients {
 };
 
 struct TireModel {
-  double radius = 0;          ///< unloaded
+  double radius = 0;  ///< unloaded
   double width = 0;
   double section_height = 0;
   double rim_diameter = 0;
-  double pressure = 0;        ///< inflation, gauge [Pa]
-  double stiffness = 0;       ///< vertical [N/m]
-  double damping = 0;         ///< vertical [N s/m]
-  double lateral_limit = 0.8;       ///< largest lateral force / wheel load on firm ground
-  double lateral_rate = 7.0;        ///< exponent of the lateral force [1/rad]
-  double relaxation_length = 0.3;   ///< travel in which slip and slip angle build up
-  int points = 30;            ///< round each of the three planes
+  double pressure = 0;             ///< inflation, gauge [Pa]
+  double stiffness = 0;            ///< vertical [N/m]
+  double damping = 0;              ///< vertical [N s/m]
+  double lateral_limit = 0.8;      ///< largest lateral force / wheel load on firm ground
+  double lateral_rate = 7.0;       ///< exponent of the lateral force [1/rad]
+  double relaxation_length = 0.3;  ///< travel in which slip and slip angle build up
+  int points = 30;                 ///< round each of the three planes
   BrixiusCoefficients traction;
 };
 
 struct WheelModel {
   std::string name;
-  int body = 0;          ///< the body that carries the hub
+  int body = 0;  ///< the body that carries the hub
   int axle = 0;
   Eigen::Vector3d p_BH = Eigen::Vector3d::Zero();  ///< hub in its body's frame
-  bool steers_hub = false;  ///< the hub turns on its body (solid axle); else a joint steers
-  int reaction_body = 0;    ///< takes the reaction of the drive torque
-  double spin_inertia = 0;       ///< resists spinning up: wheel, shafts and gears [kg m^2]
-  double gyroscopic_inertia = 0; ///< of the wheel alone
-  double brake_torque = 0;       ///< largest
-  double static_load = 0;        ///< on level ground in the design pose [N]
+  bool steers_hub = false;        ///< the hub turns on its body (solid axle); else a joint steers
+  int reaction_body = 0;          ///< takes the reaction of the drive torque
+  double spin_inertia = 0;        ///< resists spinning up: wheel, shafts and gears [kg m^2]
+  double gyroscopic_inertia = 0;  ///< of the wheel alone
+  double brake_torque = 0;        ///< largest
+  double static_load = 0;         ///< on level ground in the design pose [N]
   TireModel tire;
 };
 
@@ -116,9 +116,9 @@ struct DifferentialModel {
 
 struct AxleModel {
   std::string name;
-  int left = 0;   ///< wheel indices
+  int left = 0;  ///< wheel indices
   int right = 0;
-  double x = 0;   ///< of the wheel centres in the reference frame
+  double x = 0;  ///< of the wheel centres in the reference frame
   double track = 0;
   double steer_ratio = 0;  ///< 0 = fixed, 1 = steers fully, negative = counter-steers
   double max_steer = 0;    ///< of the mean wheel [rad]
@@ -128,7 +128,7 @@ struct AxleModel {
 
 struct PowertrainModel {
   std::array<double, 3> torque_polynomial{};  ///< T = a w^2 + b w + c [N m], w engine speed [rad/s]
-  double min_speed = 0;   ///< engine [rad/s]
+  double min_speed = 0;                       ///< engine [rad/s]
   double max_speed = 0;
   double braking_torque = 0;  ///< at closed throttle, positive
   std::vector<double> gear_ratios;
@@ -139,14 +139,14 @@ struct PowertrainModel {
   double shift_interval = 0.5;  ///< least time between shifts [s]
   double clutch_time = 0.15;    ///< time constant of engagement [s]
   double efficiency = 1;
-  DifferentialModel centre;     ///< between driven axles
+  DifferentialModel centre;  ///< between driven axles
 };
 
 /// Integration steps [s]. The slower groups are whole multiples of the construction step.
 struct StepSizes {
   double construction = 2e-3;
   double spring = 2e-3;
-  double tire = 4e-3;     ///< terrain sampling; the force law runs at the construction step
+  double tire = 4e-3;  ///< terrain sampling; the force law runs at the construction step
   double control = 4e-3;
 };
 

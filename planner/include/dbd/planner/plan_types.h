@@ -32,8 +32,8 @@ struct PlanOptions {
   SamplingOptions sampling;
   ScoringOptions scoring;
   std::uint64_t seed = 1;
-  double max_speed = 8.0;  ///< target speed on open ground [m/s]
-  int threads = 0;         ///< 0 = all
+  double max_speed = 8.0;       ///< target speed on open ground [m/s]
+  int threads = 0;              ///< 0 = all
   double goal_tolerance = 2.0;  ///< [m]
 
   /// Throws InputError that names the field, its value and the rule.
@@ -50,9 +50,9 @@ struct PlanRequest {
 
 /// A route that was sampled and not yet driven. Its index is its name in every list and file.
 struct Candidate {
-  std::string origin;      ///< the planner that found it
+  std::string origin;  ///< the planner that found it
   Path path;
-  double layer_cost = 0;   ///< cost by the trafficability layer [s]
+  double layer_cost = 0;  ///< cost by the trafficability layer [s]
 };
 
 /// How a drive ended.
@@ -93,23 +93,23 @@ struct TraceSample {
 
 /// One limit of the certificate: the worst value met and where.
 struct LimitMargin {
-  std::string name;    ///< "roll", "pitch", "slope", "sinkage", "clearance", "load_transfer"
+  std::string name;  ///< "roll", "pitch", "slope", "sinkage", "clearance", "load_transfer"
   double limit = 0;
   double worst = 0;
-  double margin = 1;   ///< share of the limit that is left; negative = exceeded
-  double s = 0;        ///< driven distance where it was met [m]
+  double margin = 1;  ///< share of the limit that is left; negative = exceeded
+  double s = 0;       ///< driven distance where it was met [m]
   Eigen::Vector2d place = Eigen::Vector2d::Zero();
 };
 
 /// What happened when one candidate was driven in full dynamics.
 struct Rollout {
   Outcome outcome = Outcome::kDiverged;
-  std::string reason;  ///< one sentence, empty when reached
+  std::string reason;                               ///< one sentence, empty when reached
   Eigen::Vector3d place = Eigen::Vector3d::Zero();  ///< where it ended, in W
-  double time = 0;      ///< [s]
-  double distance = 0;  ///< driven [m]
-  double energy = 0;    ///< work at the driven wheels [J]
-  double progress = 0;  ///< share of the candidate's path [0, 1]
+  double time = 0;                                  ///< [s]
+  double distance = 0;                              ///< driven [m]
+  double energy = 0;                                ///< work at the driven wheels [J]
+  double progress = 0;                              ///< share of the candidate's path [0, 1]
   std::vector<LimitMargin> margins;
   std::vector<TraceSample> trace;
 };
@@ -128,14 +128,14 @@ const char* PlanStatusName(PlanStatus status);
 struct Plan {
   PlanStatus status = PlanStatus::kNoGo;
   std::string reason;
-  std::optional<int> chosen;  ///< index into the lists below
+  std::optional<int> chosen;                  ///< index into the lists below
   std::optional<Eigen::Vector3d> blocked_at;  ///< for kNoGo: the place that says most, in W
   std::vector<Candidate> candidates;
   std::vector<Rollout> rollouts;
   std::vector<Score> scores;
   std::vector<std::pair<std::string, double>> timing;  ///< seconds per stage, in order
-  double simulated_time = 0;  ///< of all rollouts [s]
-  std::uint64_t digest = 0;   ///< of everything that must be reproducible
+  double simulated_time = 0;                           ///< of all rollouts [s]
+  std::uint64_t digest = 0;                            ///< of everything that must be reproducible
 };
 
 /// Called now and then from the planning thread: stage name, done, total.

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <dbd/core/vehicle_model.h>
+#include <dbd/planner/plan_types.h>
+#include <dbd/terrain/terrain.h>
+
+#include <memory>
+#include <stop_token>
+
+namespace dbd {
+
+/// Which way can this vehicle really drive from here to there, how safely and how fast?
+///
+/// request -> candidates -> rollouts -> scores -> route. "No safe route" is an answer (kNoGo, with
+/// reason and place), not an error. Throws InputError for options or a request that break a rule,
+/// such as a start outside the map. Bit-identical for any number of threads.
+Plan PlanRoute(std::shared_ptr<const Terrain> terrain, std::shared_ptr<const VehicleModel> vehicle,
+               const PlanRequest& request, const PlanOptions& options,
+               const ProgressCallback& progress = {}, std::stop_token stop = {});
+
+}  // namespace dbd

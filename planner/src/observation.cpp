@@ -1,0 +1,142 @@
+#include "observation.h"
+
+#include <dbd/core/terramechanics.h>
+#include <dbd/core/units.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dbd {
+namespace {
+
+constexpr double kLeastObstacleHeight = 0.3;  // [m] lower things are driven over or are ground
+
+using WheelViews = std::vector<WheelView>;
+
+WheelViews LookAtWheels(const Simulation& simulation, const VehicleModel& vehicle) {
+  WheelViews wheels(vehicle.wheels.size());
+  for (std::size_t i = 0; i < wheels.size(); ++i) {
+    wheels[i] = simulation.Wheel(static_cast<int>(i));
+  }
+  return wheels;
+}
+
+/// Inclination of the plane through the ground under the outermost wheels, steepest direction.
+double GroundSlope(const Terrain& terrain, const VehicleModel& vehicle, const WheelViews& wheels) {
+  const auto ground = [&](int wheel) {
+    const Eigen::Vector3d& hub = wheels[static_cast<std::size_t>(wheel)].p_WH;
+    return Eigen::Vector3d(hub.x(), hub.y(), terrain.Height(hub.x(), hub.y()));
+  };
+  const auto [rear, front] =
+      std::minmax_element(vehicle.axles.begin(), vehicle.axles.end(),
+                          [](const auto& a, const auto& b) { return a.x < b.x; });
+  const Eigen::Vector3d one = ground(front->left) - ground(rear->right);
+  const Eigen::Vector3d other = ground(front->right) - ground(rear->left);
+  const Eigen::Vector3d normal = other.cross(one);
+  return std::atan2(normal.head<2>().norm(), std::abs(normal.z()));
+}
+
+/// Least distance between the belly, a plate between the outermost axles, and the ground.
+double BellyClearance(const Terrain& terrain, const VehicleModel& vehicle,
+                      const ChassisView& chassis) {
+  constexpr int kAlong = 5, kAcross = 3;
+  const Eigen::Vector3d p_RB = vehicle.bodies[0].p_RB;
+  const double z = vehicle.outline.belly_height - vehicle.reference_height - p_RB.z();
+  const double half_width = 0.35 * vehicle.mean_track();  // inside the tires
+  double rear = std::numeric_limits<double>::infinity();
+  for (const AxleModel& axle : vehicle.axles) rear = std::min(rear, axle.x - p_RB.x());
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < kAlong; ++i) {
+    const double x = rear + vehicle.wheelbase() * i / (kAlong - 1);
+    for (int j = 0; j < kAcross; ++j) {
+      const double y = half_width * (j - 1);
+      const Eigen::Vector3d p = chassis.p_WB + chassis.q_WB * Eigen::Vector3d(x, y, z);
+      least = std::min(least, p.z() - terrain.Height(p.x(), p.y()));
+    }
+  }
+  return least;
+}
+
+double DeepestSinkage(const VehicleModel& vehicle, const WheelViews& wheels) {
+  double deepest = 0;
+  for (std::size_t i = 0; i < wheels.size(); ++i) {
+    const TireModel& tire = vehicle.wheels[i].tire;
+    if (wheels[i].load <= 0 || wheels[i].cone_index <= 0) continue;
+    deepest = std::max(
+        deepest, PoweredSinkage(wheels[i].cone_index, wheels[i].load, tire.width, 2 * tire.radius,
+                                wheels[i].deflection / tire.section_height));
+  }
+  return deepest;
+}
+
+/// |left load - right load| / all: 0 even, 1 a side lifts.
+double LoadTransferRatio(const VehicleModel& vehicle, const WheelViews& wheels) {
+  double left = 0, right = 0;
+  for (const AxleModel& axle : vehicle.axles) {
+    left += wheels[static_cast<std::size_t>(axle.left)].load;
+    right += wheels[static_cast<std::size_t>(axle.right)].load;
+  }
+  return left + right > 0 ? std::abs(left - right) / (left + right) : 0;
+}
+
+void AddDrivenWheels(const VehicleModel& vehicle, const WheelViews& wheels, TraceSample& sample) {
+  double reserve = 0;
+  for (std::size_t i = 0; i < wheels.size(); ++i) {
+    if (!vehicle.axles[static_cast<std::size_t>(vehicle.wheels[i].axle)].driven) continue;
+    reserve += wheels[i].traction_capacity - std::abs(wheels[i].net_traction);
+    sample.power += wheels[i].drive_power;
+    if (std::abs(wheels[i].slip) > std::abs(sample.slip)) sample.slip = wheels[i].slip;
+  }
+  sample.net_traction_reserve = reserve / (vehicle.total_mass() * kGravity);
+}
+
+void LookAtGround(const Terrain& terrain, const WheelViews& wheels, Observation& observation) {
+  for (const WheelView& wheel : wheels) {
+    const double x = wheel.p_WH.x(), y = wheel.p_WH.y();
+    if (!terrain.IsKnown(x, y)) observation.on_known_ground = false;
+    const Material* material = terrain.materials().At(x, y);
+    if (material == nullptr) observation.on_known_ground = false;
+    if (material != nullptr && !material->passable) observation.impassable = material;
+  }
+}
+
+bool HitsObstacle(const Terrain& terrain, const VehicleModel& vehicle, const ChassisView& chassis) {
+  if (terrain.obstacles().empty()) return false;
+  const VehicleOutline& box = vehicle.outline;
+  const Eigen::Vector2d ahead(std::cos(chassis.yaw), std::sin(chassis.yaw));
+  const Eigen::Vector2d center = chassis.p_WB.head<2>() + 0.5 * (box.front - box.rear) * ahead;
+  return terrain.obstacles().BlocksBox(center, chassis.yaw,
+                                       {0.5 * (box.front + box.rear), box.half_width},
+                                       std::max(box.height, kLeastObstacleHeight));
+}
+
+}  // namespace
+
+Observation Observe(const Simulation& simulation, const Terrain& terrain,
+                    const VehicleModel& vehicle) {
+  const ChassisView chassis = simulation.Chassis();
+  const WheelViews wheels = LookAtWheels(simulation, vehicle);
+  Observation observation;
+  TraceSample& sample = observation.sample;
+  sample.t = simulation.time();
+  sample.x = chassis.p_WB.x();
+  sample.y = chassis.p_WB.y();
+  sample.z = chassis.p_WB.z();
+  sample.ground_z = terrain.Height(sample.x, sample.y);
+  sample.yaw = chassis.yaw;
+  sample.pitch = chassis.pitch;
+  sample.roll = chassis.roll;
+  sample.speed = chassis.forward_speed;
+  sample.sinkage = DeepestSinkage(vehicle, wheels);
+  sample.clearance = BellyClearance(terrain, vehicle, chassis);
+  sample.load_transfer_ratio = LoadTransferRatio(vehicle, wheels);
+  sample.ground_slope = GroundSlope(terrain, vehicle, wheels);
+  AddDrivenWheels(vehicle, wheels, sample);
+  LookAtGround(terrain, wheels, observation);
+  observation.hits_obstacle = HitsObstacle(terrain, vehicle, chassis);
+  observation.up = (chassis.q_WB * Eigen::Vector3d::UnitZ()).z();
+  return observation;
+}
+
+}  // namespace dbd
