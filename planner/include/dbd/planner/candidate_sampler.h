@@ -11,8 +11,9 @@ namespace dbd {
 
 /// Why no candidate exists, as far as the trafficability layer can tell.
 struct NoRouteDiagnosis {
-  NoGoReason reason = NoGoReason::kNone;  ///< kNone: cells connect, but no curve of the vehicle does
-  std::string why;                        ///< one sentence
+  NoGoReason reason =
+      NoGoReason::kNone;  ///< kNone: cells connect, but no curve of the vehicle does
+  std::string why;        ///< one sentence
   Eigen::Vector2d where = Eigen::Vector2d::Zero();  ///< the place that says most, in W
 };
 

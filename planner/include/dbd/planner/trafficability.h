@@ -40,10 +40,10 @@ struct CellVerdict {
 struct TrafficabilityOptions {
   double min_resolution = 0.5;    ///< finest cell [m]
   int max_cells = 4'000'000;      ///< larger maps get coarser cells
-  double tolerance = 0.1;         ///< share by which a limit may be passed before a place is no-go
+  double tolerance = 0.1;         ///< share by which a limit may be passed before no-go
   double obstacle_margin = 0.2;   ///< free space beside and before the vehicle [m]
   double climb_cost = 1.0;        ///< seconds that one metre of climb is worth [s/m]
-  double risk_cost = 0.15;        ///< [s/m] where a limit is used to one half and a bit, see below
+  double risk_cost = 0.15;        ///< weight of the risk term, see SecondsPerMetre [s/m]
   double roughness_scale = 0.08;  ///< rms roughness that halves the speed [m]
 
   /// Throws InputError that names the field, its value and the rule.
@@ -81,7 +81,7 @@ class TrafficabilityLayer {
   ///
   /// With u the largest used share of a limit (roll, pitch, slope, traction, sinkage), the speed
   /// is max_speed (1 - 0.8 u) / (1 + roughness / roughness_scale), and the risk is
-  /// risk_cost (u / (1.15 - u))^2, at most 100 risk_cost.
+  /// risk_cost (u / (1.15 - u))^2, at most 100 risk_cost. Beside an obstacle u is at least 0.6.
   double SecondsPerMetre(double x, double y, double heading) const;
 
   /// No place costs less [s/m].
@@ -94,12 +94,10 @@ class TrafficabilityLayer {
   Eigen::Vector2d max_corner() const;
 
  private:
-  friend class TrafficabilityBuilder;
-
   struct Cell {
     float grade_x = 0;  // of the fitted plane [-]
     float grade_y = 0;
-    float roughness = 0;  // rms about the plane [m]
+    float roughness = 0;                    // rms about the plane [m]
     NoGoReason reason = NoGoReason::kNone;  // whatever the heading
     std::uint8_t material = 0;
     std::uint8_t flags = 0;
@@ -114,12 +112,18 @@ class TrafficabilityLayer {
     double sinkage_share = 0;  // of the limit
   };
 
-  // Tangents of the limits, without and with the tolerance.
+  // Tangents of the largest angles.
   struct Bounds {
     double roll = 0;
     double pitch = 0;
     double slope = 0;
   };
+
+  void LayOutGrid(const HeightMap& heights, double half_footprint);
+  void FillCells(double half_footprint, double step_limit);
+  void MarkNearObstacles();
+  Footing FootingOn(const VehicleModel& vehicle, const Material& material) const;
+  std::uint8_t MaterialIndexAt(double x, double y) const;
 
   const Cell* CellAt(double x, double y) const;
   NoGoReason Judge(const Cell& cell, double x, double y, double cos_h, double sin_h) const;

@@ -1,0 +1,63 @@
+#include "candidate_pool.h"
+
+#include <dbd/planner/candidate_curve.h>
+#include <dbd/planner/polyline_separation.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace dbd {
+namespace {
+
+// Traces this near to each other are the same route found twice [m].
+constexpr double kSameTrace = 0.01;
+
+// Separations are means, so a coarse trace serves.
+constexpr double kFinestTrace = 2.0;  // [m]
+
+}  // namespace
+
+bool CandidatePool::Offer(RouteDraft draft) {
+  Entry entry{std::move(draft), {}, std::numeric_limits<double>::infinity()};
+  entry.trace = Thin(Positions(entry.draft.poses), std::max(kFinestTrace, min_separation_));
+  for (const Entry& other : taken_) {
+    entry.separation = std::min(entry.separation, Separation(entry.trace, other.trace));
+  }
+  if (entry.separation < min_separation_) {
+    reserve_.push_back(std::move(entry));
+    return false;
+  }
+  TakeIn(std::move(entry));
+  return true;
+}
+
+void CandidatePool::TakeIn(Entry entry) {
+  for (Entry& waiting : reserve_) {
+    waiting.separation = std::min(waiting.separation, Separation(waiting.trace, entry.trace));
+  }
+  taken_.push_back(std::move(entry));
+}
+
+void CandidatePool::FillUp(int count) {
+  while (size() < count && !reserve_.empty()) {
+    const auto best = std::max_element(
+        reserve_.begin(), reserve_.end(),
+        [](const Entry& a, const Entry& b) { return a.separation < b.separation; });
+    if (best->separation < kSameTrace) return;
+    Entry entry = std::move(*best);
+    reserve_.erase(best);
+    TakeIn(std::move(entry));
+  }
+}
+
+std::vector<RouteDraft> CandidatePool::TakeSorted() {
+  std::vector<RouteDraft> drafts;
+  for (Entry& entry : taken_) drafts.push_back(std::move(entry.draft));
+  taken_.clear();
+  std::stable_sort(drafts.begin(), drafts.end(),
+                   [](const RouteDraft& a, const RouteDraft& b) { return a.cost < b.cost; });
+  return drafts;
+}
+
+}  // namespace dbd

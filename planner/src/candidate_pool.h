@@ -1,0 +1,50 @@
+#pragma once
+
+#include <dbd/planner/dubins.h>
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace dbd {
+
+/// A dense, go route that may become a candidate.
+struct RouteDraft {
+  std::string origin;
+  std::vector<Pose2> poses;
+  double cost = 0;  ///< by the layer [s]
+};
+
+/// Keeps routes that differ from each other, in the order of their arrival.
+class CandidatePool {
+ public:
+  explicit CandidatePool(double min_separation) : min_separation_(min_separation) {}
+
+  /// Takes the route in when it is at least `min_separation` from every other; otherwise keeps it
+  /// in reserve. Returns whether it was taken in.
+  bool Offer(RouteDraft draft);
+
+  /// Takes in routes from the reserve until there are `count`, each time the one that differs
+  /// most from those taken in; never the same trace twice.
+  void FillUp(int count);
+
+  int size() const { return static_cast<int>(taken_.size()); }
+
+  /// The routes taken in, in the order of their costs.
+  std::vector<RouteDraft> TakeSorted();
+
+ private:
+  struct Entry {
+    RouteDraft draft;
+    std::vector<Eigen::Vector2d> trace;
+    double separation = 0;  // from the nearest route taken in
+  };
+
+  void TakeIn(Entry entry);
+
+  double min_separation_;
+  std::vector<Entry> taken_;
+  std::vector<Entry> reserve_;
+};
+
+}  // namespace dbd

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <dbd/planner/dubins.h>
+#include <ompl/base/spaces/DubinsStateSpace.h>
+
+namespace dbd {
+
+/// OMPL's Dubins space with our curves: OMPL 1.5's own solver stops the program by an assertion
+/// about once in three million distances.
+class DubinsSpace final : public ompl::base::DubinsStateSpace {
+ public:
+  DubinsSpace(double turning_radius, const Eigen::Vector2d& min_corner,
+              const Eigen::Vector2d& max_corner);
+
+  static Pose2 ToPose(const ompl::base::State* state);
+  static void SetPose(const Pose2& pose, ompl::base::State* state);
+
+  DubinsCurve Curve(const ompl::base::State* from, const ompl::base::State* to) const;
+
+  double distance(const ompl::base::State* from, const ompl::base::State* to) const override;
+  void interpolate(const ompl::base::State* from, const ompl::base::State* to, double t,
+                   ompl::base::State* state) const override;
+  /// Does not use `first_time` and `path`, which belong to OMPL's solver.
+  void interpolate(const ompl::base::State* from, const ompl::base::State* to, double t,
+                   bool& first_time, DubinsPath& path, ompl::base::State* state) const override;
+};
+
+}  // namespace dbd

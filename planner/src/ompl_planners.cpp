@@ -1,0 +1,119 @@
+#include <dbd/planner/ompl_planners.h>
+
+#include <dbd/core/error.h>
+#include <dbd/planner/candidate_curve.h>
+#include <dbd/planner/ompl_random.h>
+#include <ompl/base/PlannerTerminationCondition.h>
+#include <ompl/base/ProblemDefinition.h>
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/base/goals/GoalStates.h>
+#include <ompl/geometric/PathGeometric.h>
+#include <ompl/geometric/planners/informedtrees/ABITstar.h>
+#include <ompl/geometric/planners/rrt/RRTConnect.h>
+#include <ompl/util/Console.h>
+
+#include <memory>
+#include <mutex>
+
+#include "dubins_space.h"
+#include "route_objective.h"
+
+namespace dbd {
+namespace {
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+std::mutex silence_mutex;
+int silence_count = 0;
+ompl::msg::OutputHandler* silenced_handler = nullptr;
+
+ob::SpaceInformationPtr MakeSpace(const TrafficabilityLayer& layer, const OmplQuery& query) {
+  const auto space =
+      std::make_shared<DubinsSpace>(query.turning_radius, query.min_corner, query.max_corner);
+  // The default, 1 % of the extent, steps over whole ditches.
+  space->setLongestValidSegmentFraction(kPoseStep / space->getMaximumExtent());
+  auto si = std::make_shared<ob::SpaceInformation>(space);
+  si->setStateValidityChecker([&layer](const ob::State* state) {
+    const Pose2 pose = DubinsSpace::ToPose(state);
+    return layer.Evaluate(pose.x, pose.y, pose.heading).go();
+  });
+  si->setMotionValidator(std::make_shared<RouteMotionValidator>(si, layer));
+  si->setup();
+  return si;
+}
+
+ob::ProblemDefinitionPtr MakeProblem(const ob::SpaceInformationPtr& si,
+                                     const TrafficabilityLayer& layer, const OmplQuery& query) {
+  auto problem = std::make_shared<ob::ProblemDefinition>(si);
+  ob::ScopedState<> state(si);
+  for (const Pose2& start : query.starts) {
+    DubinsSpace::SetPose(start, state.get());
+    problem->addStartState(state);
+  }
+  auto goals = std::make_shared<ob::GoalStates>(si);
+  std::vector<Eigen::Vector2d> places;
+  for (const Pose2& goal : query.goals) {
+    DubinsSpace::SetPose(goal, state.get());
+    goals->addState(state);
+    places.push_back(goal.position());
+  }
+  problem->setGoal(goals);
+  problem->setOptimizationObjective(std::make_shared<RouteObjective>(si, layer, std::move(places)));
+  return problem;
+}
+
+std::shared_ptr<ob::Planner> MakePlanner(OmplPlanner planner, const ob::SpaceInformationPtr& si) {
+  if (planner == OmplPlanner::kRrtConnect) return std::make_shared<og::RRTConnect>(si);
+  return std::make_shared<og::ABITstar>(si);
+}
+
+std::vector<Pose2> Waypoints(const ob::ProblemDefinition& problem) {
+  std::vector<Pose2> waypoints;
+  const auto path = std::dynamic_pointer_cast<og::PathGeometric>(problem.getSolutionPath());
+  if (path == nullptr) return waypoints;
+  for (const ob::State* state : path->getStates()) {
+    waypoints.push_back(DubinsSpace::ToPose(state));
+  }
+  return waypoints;
+}
+
+}  // namespace
+
+const char* OmplPlannerName(OmplPlanner planner) {
+  return planner == OmplPlanner::kRrtConnect ? "rrt-connect" : "abit-star";
+}
+
+std::vector<Pose2> SolveWithOmpl(OmplPlanner planner, const TrafficabilityLayer& layer,
+                                 const OmplQuery& query, std::uint64_t seed, int iterations) {
+  static const bool seeds_are_ours = OmplSeedsAreOurs();
+  DBD_ASSERT(seeds_are_ours);
+  const OmplSilence silence;
+  const OmplSeedScope scope(seed);
+  const ob::SpaceInformationPtr si = MakeSpace(layer, query);
+  const ob::ProblemDefinitionPtr problem = MakeProblem(si, layer, query);
+  const std::shared_ptr<ob::Planner> solver = MakePlanner(planner, si);
+  solver->setProblemDefinition(problem);
+  solver->setup();
+  int calls = 0;
+  const ob::PlannerTerminationCondition stop([&] { return ++calls > iterations; });
+  if (solver->solve(stop) != ob::PlannerStatus::EXACT_SOLUTION) return {};
+  // Not every planner of OMPL 1.5 respects that a Dubins curve has a direction.
+  const std::vector<Pose2> waypoints = Waypoints(*problem);
+  if (!AllGo(layer, DensePoses(waypoints, query.turning_radius))) return {};
+  return waypoints;
+}
+
+OmplSilence::OmplSilence() {
+  const std::lock_guard lock(silence_mutex);
+  if (silence_count++ > 0) return;
+  silenced_handler = ompl::msg::getOutputHandler();
+  ompl::msg::noOutputHandler();
+}
+
+OmplSilence::~OmplSilence() {
+  const std::lock_guard lock(silence_mutex);
+  if (--silence_count == 0) ompl::msg::useOutputHandler(silenced_handler);
+}
+
+}  // namespace dbd
