@@ -14,7 +14,7 @@ endif()
 # are filled up to a run-time count for uninitialised (bug 101361 and others): that warning is off.
 function(dbd_target_settings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
-    -Wno-sign-conversion -Wno-maybe-uninitialized -ffp-contract=off -fno-math-errno)
+    -Wno-sign-conversion -Wno-maybe-uninitialized -ffp-contract=off -fno-math-errno -fno-trapping-math)
   if(DBD_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE -Werror)
   endif()

@@ -31,7 +31,12 @@ struct TirePattern {
   int count = 0;         // odd; the middle point is the lowest
   std::array<double, kMaxLowerPoints> x{};
   std::array<double, kMaxLowerPoints> z{};
-  std::array<double, kMaxLowerPoints> bulge{};  // of segment i, i+1: circle below its chord
+  // Of the segment from point i to i+1: four times the sagitta of the circle below its chord, and
+  // quotients that the sums need.
+  std::array<double, kMaxLowerPoints> bulge{};
+  std::array<double, kMaxLowerPoints> half_by_bulge{};
+  std::array<double, kMaxLowerPoints> length{};
+  std::array<double, kMaxLowerPoints> by_length{};
 };
 
 inline TirePattern MakeTirePattern(const TireModel& tire) {
@@ -50,6 +55,9 @@ inline TirePattern MakeTirePattern(const TireModel& tire) {
     const double chord = 0.5 * (pattern.z[i] + pattern.z[i + 1]);
     const double circle = -std::sqrt(tire.radius * tire.radius - mid_x * mid_x);
     pattern.bulge[i] = 4 * (chord - circle);
+    pattern.half_by_bulge[i] = 0.5 / pattern.bulge[i];
+    pattern.length[i] = pattern.x[i + 1] - pattern.x[i];
+    pattern.by_length[i] = 1 / pattern.length[i];
   }
   return pattern;
 }
@@ -68,31 +76,6 @@ struct ContactSums {
   Real area{0}, x{0}, y{0}, z{0}, slope_x{0}, slope_y{0};
 };
 
-/// Adds one segment: penetration p(t) = p0 + b t - q t^2 for t in [0, 1], counted where positive.
-template <class Real>
-void AddSegment(const Real& p0, const Real& p1, const Real& g0, const Real& g1, double x0,
-                double x1, double y, double bulge, const Real& slope_y, ContactSums<Real>& sums) {
-  using S = ScalarOf<Real>;
-  const Real q{S(bulge)};
-  const Real b = p1 - p0 + q;
-  const Real disc = b * b + Real(4) * q * p0;
-  const Real root = Sqrt(Max(disc, Real(0)));
-  const Real half_over_q{S(0.5 / bulge)};
-  const Real t0 = Clamp((b - root) * half_over_q, Real(0), Real(1));
-  const Real t1 = Clamp((b + root) * half_over_q, Real(0), Real(1));
-  const auto primitive = [&](const Real& t) {
-    return t * (p0 + t * (Real(S(0.5)) * b - t * q * Real(S(1.0 / 3))));
-  };
-  const Real area = Real(S(x1 - x0)) * Max(primitive(t1) - primitive(t0), Real(0));
-  const Real t = Real(S(0.5)) * (t0 + t1);
-  sums.area = sums.area + area;
-  sums.x = sums.x + area * (Real(S(x0)) + t * Real(S(x1 - x0)));
-  sums.y = sums.y + area * Real(S(y));
-  sums.z = sums.z + area * (g0 + t * (g1 - g0));
-  sums.slope_x = sums.slope_x + area * (g1 - g0) * Real(S(1 / (x1 - x0)));
-  sums.slope_y = sums.slope_y + area * slope_y;
-}
-
 /// Penetrations, and ground heights in the tire frame, at one angle in the three planes.
 template <class Real>
 struct PointRow {
@@ -100,6 +83,37 @@ struct PointRow {
   std::array<Real, kTirePlanes> ground;
   Real slope_y;
 };
+
+/// Adds segment `i` of plane `j`: penetration p(t) = p0 + b t - q t^2 for t in [0, 1], counted
+/// where it is positive.
+template <class Real>
+void AddSegment(const TirePattern& pattern, int i, int j, const PointRow<Real>& here,
+                const PointRow<Real>& next, ContactSums<Real>& sums) {
+  using S = ScalarOf<Real>;
+  const Real p0 = here.penetration[j];
+  const Real q{S(pattern.bulge[i])};
+  const Real b = next.penetration[j] - p0 + q;
+  const Real disc = b * b + Real(4) * q * p0;
+  if (!AnyOf(disc > Real(0))) return;
+  const Real root = Sqrt(Max(disc, Real(0)));
+  const Real scale{S(pattern.half_by_bulge[i])};
+  const Real t0 = Clamp((b - root) * scale, Real(0), Real(1));
+  const Real t1 = Clamp((b + root) * scale, Real(0), Real(1));
+  if (!AnyOf(t1 > t0)) return;
+  const auto primitive = [&](const Real& t) {
+    return t * (p0 + t * (Real(S(0.5)) * b - t * q * Real(S(1.0 / 3))));
+  };
+  const Real length{S(pattern.length[i])};
+  const Real area = length * Max(primitive(t1) - primitive(t0), Real(0));
+  const Real t = Real(S(0.5)) * (t0 + t1);
+  const Real rise = next.ground[j] - here.ground[j];
+  sums.area = sums.area + area;
+  sums.x = sums.x + area * (Real(S(pattern.x[i])) + t * length);
+  sums.y = sums.y + area * Real(S((j - 1) * pattern.half_span));
+  sums.z = sums.z + area * (here.ground[j] + t * rise);
+  sums.slope_x = sums.slope_x + area * rise * Real(S(pattern.by_length[i]));
+  sums.slope_y = sums.slope_y + area * Real(S(0.5)) * (here.slope_y + next.slope_y);
+}
 
 /// From vertical penetrations to the tire frame. A ground point lies above or below its tire point
 /// by the vertical penetration p; seen in the tire frame it is p z_t.z higher and p y_t.z further
@@ -209,18 +223,15 @@ ContactSums<Real> SumContact(const TirePattern& pattern, const Ground& ground,
   const int half = pattern.count / 2;
   std::array<std::array<Real, kTirePlanes>, kMaxLowerPoints> vertical;
   VerticalPenetrations(pattern, ground, R_WT, p_WH, half - active, half + active, vertical);
+  const auto row_at = [&](int i) {
+    return ToTireFrame(vertical[i], R_WT, pattern.half_span, pattern.z[i]);
+  };
   ContactSums<Real> sums;
-  PointRow<Real> row =
-      ToTireFrame(vertical[half - active], R_WT, pattern.half_span, pattern.z[half - active]);
+  PointRow<Real> here = row_at(half - active);
   for (int i = half - active; i < half + active; ++i) {
-    const PointRow<Real> next =
-        ToTireFrame(vertical[i + 1], R_WT, pattern.half_span, pattern.z[i + 1]);
-    for (int j = 0; j < kTirePlanes; ++j) {
-      AddSegment(row.penetration[j], next.penetration[j], row.ground[j], next.ground[j],
-                 pattern.x[i], pattern.x[i + 1], (j - 1) * pattern.half_span, pattern.bulge[i],
-                 Real(0.5) * (row.slope_y + next.slope_y), sums);
-    }
-    row = next;
+    const PointRow<Real> next = row_at(i + 1);
+    for (int j = 0; j < kTirePlanes; ++j) AddSegment(pattern, i, j, here, next, sums);
+    here = next;
   }
   return sums;
 }
