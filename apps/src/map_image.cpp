@@ -20,6 +20,7 @@ namespace {
 constexpr double kPadding = 22;
 constexpr double kScaleWidth = 300;  // of the strip's part with scale bar and north arrow
 constexpr double kLeastFooter = 70;
+constexpr std::size_t kMostMaterialEntries = 8;
 constexpr Stroke kRouteStroke{kRouteColor, 5.5, 1, 2.5};
 
 using Surface = std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)>;
@@ -81,30 +82,27 @@ void AddPlaceEntries(const MapContent& content, std::vector<LegendEntry>* entrie
   }
 }
 
-void AddGroundEntries(const Terrain& terrain, double contour_interval,
+void AddGroundEntries(const Terrain& terrain, const ReliefImage& relief,
                       std::vector<LegendEntry>* entries) {
   if (!terrain.obstacles().empty()) entries->push_back(AreaEntry(kObstacleColor, "obstacle"));
-  if (!terrain.materials().is_uniform()) {
-    const std::vector<Material>& materials = terrain.materials().table().materials();
-    for (std::size_t row = 0; row < std::min<std::size_t>(materials.size(), 8); ++row) {
-      const Color color = materials[row].passable ? MaterialColor(row) : kImpassableColor;
-      entries->push_back(AreaEntry(color, materials[row].name));
-    }
+  for (std::size_t i = 0; i < std::min(relief.materials.size(), kMostMaterialEntries); ++i) {
+    const Material& material = *relief.materials[i];
+    entries->push_back(AreaEntry(MaterialTint(material, i), material.name));
   }
   if (terrain.heights().unknown_share() > 0) {
     entries->push_back(AreaEntry(kUnknownColor, "unknown"));
   }
-  if (contour_interval > 0) {
-    entries->push_back(
-        LineEntry({Hex(0x8a7662), 1.2, 1, 0}, Format("contour, %g m", contour_interval)));
+  if (relief.contour_interval > 0) {
+    const Stroke stroke{Hex(0x8a7662), 1.2, 1, 0};
+    entries->push_back(LineEntry(stroke, Format("contour, %g m", relief.contour_interval)));
   }
 }
 
-Legend MakeLegend(const Terrain& terrain, const MapContent& content, double contour_interval) {
+Legend MakeLegend(const Terrain& terrain, const MapContent& content, const ReliefImage& relief) {
   std::vector<LegendEntry> entries;
   AddLineEntries(content, &entries);
   AddPlaceEntries(content, &entries);
-  AddGroundEntries(terrain, contour_interval, &entries);
+  AddGroundEntries(terrain, relief, &entries);
   return Legend(std::move(entries));
 }
 
@@ -144,11 +142,21 @@ void DrawContent(cairo_t* context, const MapView& view, const MapContent& conten
   if (content.blocked) DrawCrossSymbol(context, view.ToPixel(*content.blocked), 11, kBlockedColor);
 }
 
-void DrawTitle(cairo_t* context, const MapContent& content) {
+/// The text, shortened at a word with an ellipsis where it is wider than `width`.
+std::string Fitted(cairo_t* context, std::string text, double size, bool bold, double width) {
+  if (TextWidth(context, size, bold, text) <= width) return text;
+  while (!text.empty() && TextWidth(context, size, bold, text + " …") > width) {
+    const std::size_t space = text.rfind(' ');
+    text.resize(space == std::string::npos ? 0 : space);
+  }
+  return text + " …";
+}
+
+void DrawTitle(cairo_t* context, const MapContent& content, double width) {
   SetColor(context, kInkColor);
-  DrawText(context, {kPadding, 36}, 25, true, content.title);
+  DrawText(context, {kPadding, 36}, 25, true, Fitted(context, content.title, 25, true, width));
   SetColor(context, kInkColor, 0.75);
-  DrawText(context, {kPadding, 62}, 16, false, content.subtitle);
+  DrawText(context, {kPadding, 62}, 15, false, Fitted(context, content.subtitle, 15, false, width));
 }
 
 void DrawFooter(cairo_t* context, const MapView& view, const Legend& legend, double height) {
@@ -179,7 +187,7 @@ void WriteMapImage(const std::filesystem::path& file, const Terrain& terrain,
                    const MapContent& content) {
   const MapView view = FitView(terrain.heights(), PointsOfInterest(content), kMapImageWidth);
   ReliefImage relief = RenderRelief(terrain, view, content.obstacle_height);
-  const Legend legend = MakeLegend(terrain, content, relief.contour_interval);
+  const Legend legend = MakeLegend(terrain, content, relief);
   const double legend_height =
       legend.Height(MakeContext(MakeSurface(1, 1)).get(), view.width - kScaleWidth - 3 * kPadding);
   const double footer = std::max(kLeastFooter, std::ceil(legend_height + 20));
@@ -188,7 +196,7 @@ void WriteMapImage(const std::filesystem::path& file, const Terrain& terrain,
   const Context context = MakeContext(surface);
   SetColor(context.get(), kPaperColor);
   cairo_paint(context.get());
-  DrawTitle(context.get(), content);
+  DrawTitle(context.get(), content, view.width - 2 * kPadding);
   DrawMap(context.get(), view, content, &relief);
   DrawFooter(context.get(), view, legend, footer);
   cairo_surface_flush(surface.get());

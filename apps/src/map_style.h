@@ -2,9 +2,6 @@
 
 #include <dbd/planner/plan_types.h>
 
-#include <cstddef>
-#include <iterator>
-
 namespace dbd {
 
 /// A colour, parts in [0, 1].
@@ -58,13 +55,6 @@ constexpr Color OutcomeColor(Outcome outcome) {
       return Hex(0x8c8c8c);
   }
   return Hex(0x8c8c8c);
-}
-
-/// Tint of the ground by the row of the material table.
-constexpr Color MaterialColor(std::size_t row) {
-  constexpr unsigned kColors[] = {0xe6cf8b, 0x7fb069, 0xb07d4f, 0xd9a5b3,
-                                  0x8aa6a3, 0xc9c27a, 0x9c8fc0, 0xb5b5b5};
-  return Hex(kColors[row % std::size(kColors)]);
 }
 
 }  // namespace dbd

@@ -53,7 +53,7 @@ Eigen::Vector2d MapView::ToLocal(const Eigen::Vector2d& pixel) const {
 
 MapView FitView(const HeightMap& heights, const std::vector<Eigen::Vector2d>& points, int width) {
   const Box map(heights.min_corner(), heights.max_corner());
-  Box box = points.empty() ? map : WithMargin(points);
+  Box box = points.empty() ? map : WithMargin(points).intersection(map);
   if ((box.sizes().array() >= kNearlyAll * map.sizes().array()).all()) box = map;
   box = MovedInside(WithAspect(box), map);
   MapView view;

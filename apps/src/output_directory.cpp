@@ -23,18 +23,18 @@ fs::path Normalized(const std::string& directory) {
   return path.has_filename() ? path : path.parent_path();
 }
 
-[[noreturn]] void Refuse(const fs::path& directory, const std::string& reason) {
-  throw InputError("--out " + directory.string() + ": " + reason);
+[[noreturn]] void Refuse(const std::string& directory, const std::string& reason) {
+  throw InputError("--out " + directory + ": " + reason);
 }
 
 }  // namespace
 
-OutputDirectory::OutputDirectory(const std::string& directory) {
+OutputDirectory::OutputDirectory(const std::string& directory) : name_(directory) {
   if (directory.empty()) throw InputError("--out: the directory has no name");
   directory_ = Normalized(directory);
   std::error_code error;
   const fs::file_status status = fs::status(directory_, error);
-  if (fs::exists(status) && !fs::is_directory(status)) Refuse(directory_, "is not a directory");
+  if (fs::exists(status) && !fs::is_directory(status)) Refuse(name_, "is not a directory");
   // A directory that exists is staged inside, since its parent need not be writable; a new one is
   // staged beside, so that it appears complete, in one rename.
   const std::string suffix = Format(".partial-%d", getpid());
@@ -73,7 +73,7 @@ void OutputDirectory::Commit() {
       if (!error) fs::rename(staging_ / name, directory_ / name, error);
     }
   }
-  if (error) Refuse(directory_, "cannot be written: " + error.message());
+  if (error) Refuse(name_, "cannot be written: " + error.message());
   created_parents_.clear();
   RemoveStaging();
 }
@@ -86,12 +86,11 @@ void OutputDirectory::CreateStaging() {
     missing.push_back(p);
   }
   for (auto p = missing.rbegin(); p != missing.rend(); ++p) {
-    if (!fs::create_directory(*p, error))
-      Refuse(directory_, "cannot be created: " + error.message());
+    if (!fs::create_directory(*p, error)) Refuse(name_, "cannot be created: " + error.message());
     created_parents_.push_back(*p);
   }
   fs::create_directory(staging_, error);
-  if (error) Refuse(directory_, "cannot be created or written: " + error.message());
+  if (error) Refuse(name_, "cannot be created or written: " + error.message());
 }
 
 void OutputDirectory::RemoveStaging() {

@@ -26,14 +26,16 @@ class OutputDirectory {
   /// this one did not write are removed, so that no two answers are mixed.
   void Commit();
 
-  const std::filesystem::path& path() const { return directory_; }
+  /// As it was typed.
+  const std::string& name() const { return name_; }
   const std::vector<std::string>& staged() const { return staged_; }
 
  private:
   void CreateStaging();
   void RemoveStaging();
 
-  std::filesystem::path directory_;
+  std::string name_;
+  std::filesystem::path directory_;  ///< absolute
   std::filesystem::path staging_;
   std::vector<std::filesystem::path> created_parents_;  ///< outermost first
   std::vector<std::string> staged_;

@@ -32,8 +32,8 @@ std::optional<std::vector<double>> ParseNumbers(const std::string& text) {
 
 std::string DescribeBounds(const Terrain& terrain) {
   const LocalFrame& frame = terrain.frame();
-  const Eigen::Vector2d low = frame.ToMap(terrain.heights().min_corner());
-  const Eigen::Vector2d high = frame.ToMap(terrain.heights().max_corner());
+  const Eigen::Vector2d low = frame.ToSource(terrain.heights().min_corner());
+  const Eigen::Vector2d high = frame.ToSource(terrain.heights().max_corner());
   return Format("x %.10g to %.10g, y %.10g to %.10g", low.x(), high.x(), low.y(), high.y());
 }
 
@@ -78,11 +78,8 @@ LocalPlace LocatePlace(const std::string& flag, const TypedPlace& place, Coordin
   const Eigen::Vector2d local = wgs84 ? frame.FromWgs84(place.xy) : frame.FromSource(place.xy);
   const std::string typed = Format("%s %.10g,%.10g", flag.c_str(), place.xy.x(), place.xy.y());
   if (!IsInside(terrain.heights(), local)) {
-    const Eigen::Vector2d map = frame.ToMap(local);
-    const std::string converted =
-        (map - place.xy).norm() < 1e-6 ? "" : Format(" (map %.10g,%.10g)", map.x(), map.y());
-    throw InputError(typed + converted + ": outside the map, which covers " +
-                     DescribeBounds(terrain));
+    throw InputError(typed + ": outside the map, which covers " + DescribeBounds(terrain) +
+                     (wgs84 ? " in its own system" : ""));
   }
   if (!terrain.IsKnown(local.x(), local.y())) {
     throw InputError(typed + ": the ground there is unknown (nodata)");
@@ -100,8 +97,10 @@ double CompassDegrees(double yaw) {
 double YawFromCompass(double heading_deg) { return std::numbers::pi / 2 - Degrees(heading_deg); }
 
 std::string DescribePlace(const LocalFrame& frame, const Eigen::Vector2d& local) {
-  const Eigen::Vector2d map = frame.ToMap(local);
-  return Format("%.1f, %.1f", map.x(), map.y());
+  const Eigen::Vector2d source = frame.ToSource(local);
+  const bool geographic = (source - frame.ToMap(local)).norm() > 1;
+  return geographic ? Format("%.6f, %.6f", source.x(), source.y())
+                    : Format("%.1f, %.1f", source.x(), source.y());
 }
 
 }  // namespace dbd

@@ -44,7 +44,7 @@ void RequireCoordinates(Coordinates coordinates, const Terrain& terrain);
 double CompassDegrees(double yaw);
 double YawFromCompass(double heading_deg);
 
-/// "564312.1, 146522.8": map coordinates of a place in W, for people.
+/// "564312.1, 146522.8": a place in W in the coordinates of the elevation file, for people.
 std::string DescribePlace(const LocalFrame& frame, const Eigen::Vector2d& local);
 
 }  // namespace dbd

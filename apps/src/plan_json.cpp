@@ -34,7 +34,7 @@ ordered_json RequestJson(const PlanRecord& record) {
   const LocalFrame& frame = record.terrain.frame();
   const PlanRequest& request = record.request;
   return {{"terrain", TerrainJson(record.arguments.terrain)},
-          {"map_crs_wkt", frame.map_wkt()},
+          {"map_crs", frame.CrsName()},
           {"vehicle", record.vehicle.name},
           {"start", EndJson(frame, request.start, request.start_heading)},
           {"goal", EndJson(frame, request.goal, request.goal_heading)},

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "map_style.h"
-
 namespace dbd {
 namespace {
 
@@ -125,6 +123,24 @@ double ContourCover(const Tones& tones, double height, double slope, double pixe
   return std::clamp(1.1 - distance, 0.0, 1.0);
 }
 
+std::vector<const Material*> MaterialsInView(const MaterialMap& map, const MapView& view) {
+  if (map.is_uniform()) return {};
+  const std::vector<Material>& table = map.table().materials();
+  std::vector<bool> seen(table.size(), false);
+  for (int row = 0; row < view.height; ++row) {
+    for (int column = 0; column < view.width; ++column) {
+      const Eigen::Vector2d place = view.ToLocal({column + 0.5, row + 0.5});
+      const Material* material = map.At(place.x(), place.y());
+      if (material) seen[static_cast<std::size_t>(material - table.data())] = true;
+    }
+  }
+  std::vector<const Material*> materials;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    if (seen[i]) materials.push_back(&table[i]);
+  }
+  return materials;
+}
+
 class ReliefPainter {
  public:
   ReliefPainter(const Terrain& terrain, const MapView& view, double obstacle_height)
@@ -132,9 +148,11 @@ class ReliefPainter {
         view_(view),
         obstacle_height_(obstacle_height),
         samples_(terrain, view),
-        tones_(ChooseTones(samples_, view)) {}
+        tones_(ChooseTones(samples_, view)),
+        materials_(MaterialsInView(terrain.materials(), view)) {}
 
   double contour_interval() const { return tones_.contour_interval; }
+  const std::vector<const Material*>& materials() const { return materials_; }
 
   Color At(int column, int row) const {
     const Eigen::Vector2d place = view_.ToLocal({column + 0.5, row + 0.5});
@@ -154,13 +172,12 @@ class ReliefPainter {
 
  private:
   Color Soil(const Eigen::Vector2d& place, const Color& tint) const {
-    const MaterialMap& materials = terrain_.materials();
-    if (materials.is_uniform()) return tint;
-    const Material* material = materials.At(place.x(), place.y());
+    if (materials_.empty()) return tint;
+    const Material* material = terrain_.materials().At(place.x(), place.y());
     if (!material) return tint;
-    if (!material->passable) return Mix(tint, kImpassableColor, 0.7);
-    const auto row = static_cast<std::size_t>(material - materials.table().materials().data());
-    return Mix(tint, MaterialColor(row), 0.4);
+    const auto found = std::find(materials_.begin(), materials_.end(), material);
+    const auto index = static_cast<std::size_t>(found - materials_.begin());
+    return Mix(tint, MaterialTint(*material, index), material->passable ? 0.45 : 0.75);
   }
 
   const Terrain& terrain_;
@@ -168,6 +185,7 @@ class ReliefPainter {
   double obstacle_height_;
   HeightSamples samples_;
   Tones tones_;
+  std::vector<const Material*> materials_;
 };
 
 std::uint32_t Pixel(const Color& color) {
@@ -179,9 +197,15 @@ std::uint32_t Pixel(const Color& color) {
 
 }  // namespace
 
+Color MaterialTint(const Material& material, std::size_t place) {
+  static constexpr std::array<unsigned, 8> kColors = {0xe6cf8b, 0x7fb069, 0xb07d4f, 0xd9a5b3,
+                                                      0x8aa6a3, 0xc9c27a, 0x9c8fc0, 0xb5b5b5};
+  return material.passable ? Hex(kColors[place % kColors.size()]) : kImpassableColor;
+}
+
 ReliefImage RenderRelief(const Terrain& terrain, const MapView& view, double obstacle_height) {
   const ReliefPainter painter(terrain, view, obstacle_height);
-  ReliefImage image{view.width, view.height, {}, painter.contour_interval()};
+  ReliefImage image{view.width, view.height, {}, painter.contour_interval(), painter.materials()};
   image.pixels.reserve(static_cast<std::size_t>(view.width) * view.height);
   for (int row = 0; row < view.height; ++row) {
     for (int column = 0; column < view.width; ++column) {

@@ -27,13 +27,19 @@ constexpr double kDefaultDuration = 60;  // [s]
 /// The path in W; empty when none was given.
 Path ReadPath(const SimulateArguments& arguments, const Terrain& terrain) {
   if (arguments.path.empty()) return Path();
-  if (!terrain.frame().has_crs()) {
+  const GeoPath line = ReadGeoPath(arguments.path);
+  const LocalFrame& frame = terrain.frame();
+  if (!line.in_map_coordinates && !frame.has_crs()) {
     throw InputError("--path " + arguments.path +
                      ": is in WGS84, but the elevation file has no coordinate system");
   }
+  if (line.line_count > 1) {
+    PrintNote(
+        Format("%s holds %d lines; driving the longest", arguments.path.c_str(), line.line_count));
+  }
   std::vector<Eigen::Vector2d> points;
-  for (const Eigen::Vector2d& lon_lat : ReadGeoPath(arguments.path)) {
-    points.push_back(terrain.frame().FromWgs84(lon_lat));
+  for (const Eigen::Vector2d& point : line.points) {
+    points.push_back(line.in_map_coordinates ? frame.FromSource(point) : frame.FromWgs84(point));
   }
   return Path(points);
 }
@@ -134,9 +140,9 @@ int RunSimulate(const SimulateArguments& arguments) {
   const auto terrain = LoadTerrain(arguments.terrain);
   const Path path = ReadPath(arguments, *terrain);
   const LocalPlace start = FindStart(arguments, path, *terrain);
-  const Rollout rollout =
-      DrivePath(*terrain, *vehicle, path, start.xy, *start.yaw, MakeOptions(arguments, path));
-  if (interrupt.requested()) {
+  const Rollout rollout = DrivePath(*terrain, *vehicle, path, start.xy, *start.yaw,
+                                    MakeOptions(arguments, path), interrupt.token());
+  if (rollout.outcome == Outcome::kCancelled) {
     PrintError("interrupted");
     return kExitStopped;
   }

@@ -17,7 +17,7 @@ ordered_json RequestJson(const SimulationRecord& record) {
   return {{"dem", arguments.terrain.dem},
           {"materials", arguments.terrain.materials},
           {"obstacles", arguments.terrain.obstacles},
-          {"map_crs_wkt", frame.map_wkt()},
+          {"map_crs", frame.CrsName()},
           {"vehicle", record.vehicle.name},
           {"path", arguments.path},
           {"path_length", Rounded(record.path.length(), 3)},

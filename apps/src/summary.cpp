@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 
 #include "json_parts.h"
 #include "limit_units.h"
@@ -22,17 +21,21 @@ std::string Row(const char* label, const std::string& text) {
   return Format("  %-10s %s\n", label, text.c_str());
 }
 
-double TotalTiming(const Plan& plan) {
-  return std::accumulate(plan.timing.begin(), plan.timing.end(), 0.0,
-                         [](double sum, const auto& stage) { return sum + stage.second; });
+/// Wall time of the stages that `counts` says yes to [s].
+template <typename Predicate>
+double WallTime(const Plan& plan, Predicate counts) {
+  double sum = 0;
+  for (const auto& [stage, seconds] : plan.timing) sum += counts(stage) ? seconds : 0;
+  return sum;
 }
 
 std::string SimulationSpeed(const Plan& plan) {
-  const double wall = TotalTiming(plan);
-  std::string text = Format("%.0f s driven in %.2f s", plan.simulated_time, wall);
-  if (wall > 0)
-    text += Format(" (%.0f x real time, everything included)", plan.simulated_time / wall);
-  return text;
+  const double driving = WallTime(plan, [](const std::string& s) { return s == "rollouts"; });
+  std::string text = Format("%.0f s of driving", plan.simulated_time);
+  if (driving > 0) {
+    text += Format(" in %.2f s (%.0f x real time)", driving, plan.simulated_time / driving);
+  }
+  return text + Format(", all in %.2f s", WallTime(plan, [](const std::string&) { return true; }));
 }
 
 }  // namespace
@@ -105,7 +108,7 @@ std::string PlanSummary(const PlanRecord& record, const OutputDirectory& output)
 }
 
 std::string FilesWritten(const OutputDirectory& output) {
-  std::string text = output.path().string() + ":";
+  std::string text = output.name() + ":";
   for (const std::string& name : output.staged()) text += " " + name;
   return text;
 }

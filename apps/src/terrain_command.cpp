@@ -1,11 +1,35 @@
 #include "terrain_command.h"
 
+#include <dbd/terrain/terrain_info.h>
+
 #include <cstdio>
+#include <filesystem>
 
 #include "cli.h"
 #include "output_directory.h"
+#include "summary.h"
+#include "terrain_description.h"
+#include "text.h"
 
 namespace dbd {
+namespace {
+
+/// A command line that plans across the generated land, to copy.
+std::string ExampleCommand(const GeneratedTerrain& terrain, const std::string& directory) {
+  const auto file = [&directory](const char* name) {
+    return (std::filesystem::path(directory) / name).string();
+  };
+  return Format(
+      "dbd plan --dem %s --materials %s --material-table %s --obstacles %s "
+      "--obstacles-origin %.10g,%.10g --vehicle tomcar-tm27 --start %.10g,%.10g "
+      "--goal %.10g,%.10g --out %s\n",
+      file("dem.tif").c_str(), file("materials.tif").c_str(), file("materials.json").c_str(),
+      file("obstacles.bt").c_str(), terrain.obstacles_origin.x(), terrain.obstacles_origin.y(),
+      terrain.start.x(), terrain.start.y(), terrain.goal.x(), terrain.goal.y(),
+      file("plan").c_str());
+}
+
+}  // namespace
 
 int RunTerrainGenerate(const TerrainGenerateArguments& arguments) {
   arguments.options.Validate();
@@ -14,13 +38,28 @@ int RunTerrainGenerate(const TerrainGenerateArguments& arguments) {
   for (const char* name : {"dem.tif", "materials.tif", "materials.json", "obstacles.bt"}) {
     staging = output.Stage(name).parent_path();
   }
-  GenerateTerrain(arguments.options, staging.string());
+  const GeneratedTerrain terrain = GenerateTerrain(arguments.options, staging.string());
   output.Commit();
-  const std::string out = output.path().string();
-  std::printf("%s: dem.tif materials.tif materials.json obstacles.bt\n", out.c_str());
+  std::printf("%s\nPlan across it with:\n  %s", FilesWritten(output).c_str(),
+              ExampleCommand(terrain, arguments.out).c_str());
   return kExitOk;
 }
 
-int RunTerrainInfo(const TerrainInfoArguments&) { return kExitOk; }
+int RunTerrainInfo(const TerrainInfoArguments& arguments) {
+  std::vector<TerrainInfo> descriptions;
+  for (const std::string& file : arguments.files) {
+    TerrainFiles files;
+    files.elevation = file;
+    descriptions.push_back(DescribeTerrain(*LoadTerrain(files)));
+  }
+  if (arguments.json) {
+    std::fputs(TerrainInfoJson(arguments.files, descriptions).c_str(), stdout);
+    return kExitOk;
+  }
+  for (std::size_t i = 0; i < descriptions.size(); ++i) {
+    std::fputs(TerrainInfoText(arguments.files[i], descriptions[i]).c_str(), stdout);
+  }
+  return kExitOk;
+}
 
 }  // namespace dbd

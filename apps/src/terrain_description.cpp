@@ -1,0 +1,67 @@
+#include "terrain_description.h"
+
+#include <dbd/core/units.h>
+
+#include <nlohmann/json.hpp>
+
+#include "json_parts.h"
+#include "text.h"
+
+namespace dbd {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json PointJson(const Eigen::Vector2d& point) {
+  return ordered_json::array({Rounded(point.x(), 3), Rounded(point.y(), 3)});
+}
+
+ordered_json InfoJson(const std::string& file, const TerrainInfo& info) {
+  const auto degrees = [](double angle) { return Rounded(ToDegrees(angle), 2); };
+  return {{"file", file},
+          {"columns", info.columns},
+          {"rows", info.rows},
+          {"cell_size", PointJson(info.cell_size)},
+          {"extent", PointJson(info.extent)},
+          {"map_crs", info.crs_name.empty() ? ordered_json(nullptr) : ordered_json(info.crs_name)},
+          {"map_min", PointJson(info.map_min)},
+          {"map_max", PointJson(info.map_max)},
+          {"lowest", Rounded(info.lowest, 3)},
+          {"highest", Rounded(info.highest, 3)},
+          {"unknown_share", Rounded(info.unknown_share, 6)},
+          {"slope_deg",
+           {{"median", degrees(info.median_slope)},
+            {"90_percent", degrees(info.slope_90_percent)},
+            {"99_percent", degrees(info.slope_99_percent)},
+            {"steepest", degrees(info.steepest_slope)}}},
+          {"memory_bytes", info.memory_bytes}};
+}
+
+}  // namespace
+
+std::string TerrainInfoText(const std::string& file, const TerrainInfo& info) {
+  std::string text = file + "\n";
+  text += Format("  grid     %d x %d cells of %.4g m x %.4g m (%s x %s)\n", info.columns, info.rows,
+                 info.cell_size.x(), info.cell_size.y(), FormatLength(info.extent.x()).c_str(),
+                 FormatLength(info.extent.y()).c_str());
+  text += Format("  system   %s\n", info.crs_name.empty() ? "none" : info.crs_name.c_str());
+  text += Format("  x        %.2f to %.2f\n", info.map_min.x(), info.map_max.x());
+  text += Format("  y        %.2f to %.2f\n", info.map_min.y(), info.map_max.y());
+  text += Format("  height   %.2f m to %.2f m\n", info.lowest, info.highest);
+  text += Format("  slope    median %.1f°, 90 %% below %.1f°, 99 %% below %.1f°, steepest %.1f°\n",
+                 ToDegrees(info.median_slope), ToDegrees(info.slope_90_percent),
+                 ToDegrees(info.slope_99_percent), ToDegrees(info.steepest_slope));
+  text += Format("  unknown  %.3g %% of the cells\n", 100 * info.unknown_share);
+  return text + Format("  memory   %.1f MB\n", static_cast<double>(info.memory_bytes) / 1e6);
+}
+
+std::string TerrainInfoJson(const std::vector<std::string>& files,
+                            const std::vector<TerrainInfo>& infos) {
+  ordered_json document = {{"schema", "dbd.terrain_info/1"}, {"files", ordered_json::array()}};
+  for (std::size_t i = 0; i < infos.size(); ++i) {
+    document["files"].push_back(InfoJson(files[i], infos[i]));
+  }
+  return JsonText(document);
+}
+
+}  // namespace dbd
