@@ -1,62 +1,14 @@
 #include "vehicle_command.h"
 
-#include <dbd/core/mobility.h>
-#include <dbd/core/simulation.h>
 #include <dbd/core/units.h>
 #include <dbd/core/vehicle_database.h>
+#include <dbd/core/vehicle_report.h>
 
-#include <algorithm>
 #include <cstdio>
 
 #include "cli.h"
 
 namespace dbd {
-namespace {
-
-constexpr double kSettleTime = 5;  // [s], until the springs are at rest
-
-class LevelGround final : public Ground {
- public:
-  void Heights(int count, const double*, const double*, double* z) const override {
-    std::fill_n(z, count, 0.0);
-  }
-  void Soils(int count, const double*, const double*, SoilSample* soil) const override {
-    std::fill_n(soil, count, SoilSample());
-  }
-};
-
-void PrintDescription(const VehicleModel& vehicle) {
-  std::printf("%s: %s\n", vehicle.name.c_str(), vehicle.description.c_str());
-  std::printf("  mass                  %9.1f kg\n", vehicle.total_mass());
-  std::printf("  wheelbase, mean track %9.3f m, %.3f m\n", vehicle.wheelbase(),
-              vehicle.mean_track());
-  std::printf("  turning radius        %9.2f m\n", vehicle.min_turning_radius());
-  std::printf("  tips over at          %9.1f deg side slope\n",
-              ToDegrees(StaticStabilityAngle(vehicle)));
-  std::printf("  net traction          %9.3f of the weight on firm soil\n",
-              MaxNetTractionRatio(vehicle, SoilSample()));
-}
-
-void PrintStatics(const VehicleModel& vehicle) {
-  const LevelGround ground;
-  Simulation simulation(vehicle, ground);
-  simulation.Place({0, 0}, 0, kSettleTime);
-  const ChassisView chassis = simulation.Chassis();
-  std::printf("at rest on level ground\n");
-  std::printf("  chassis centre height %9.4f m\n", chassis.p_WB.z());
-  std::printf("  pitch, roll           %9.3f deg, %.3f deg\n", ToDegrees(chassis.pitch),
-              ToDegrees(chassis.roll));
-  for (std::size_t i = 0; i < vehicle.wheels.size(); ++i) {
-    std::printf("  wheel load            %9.1f N  %s\n", simulation.Wheel(static_cast<int>(i)).load,
-                vehicle.wheels[i].name.c_str());
-  }
-  for (std::size_t i = 0; i < vehicle.springs.size(); ++i) {
-    std::printf("  spring force          %9.1f N  %s\n",
-                simulation.SpringForce(static_cast<int>(i)), vehicle.springs[i].name.c_str());
-  }
-}
-
-}  // namespace
 
 int RunVehicleList() {
   for (const std::string& name : BuiltInVehicleNames()) {
@@ -70,10 +22,58 @@ int RunVehicleShow(const std::string& name) {
   return kExitOk;
 }
 
+namespace {
+
+void PrintStatics(const VehicleModel& vehicle, const VehicleReport& report) {
+  std::printf("%s: %s\n", vehicle.name.c_str(), vehicle.description.c_str());
+  std::printf("  mass                    %.1f kg, centre %.3f m above ground\n", report.mass,
+              report.mass_center_height);
+  std::printf("  settles                 %+.2f mm from the design height, pitch %+.3f deg\n",
+              1e3 * report.settled_height_error, ToDegrees(report.settled_pitch));
+  for (std::size_t i = 0; i < report.wheel_loads.size(); ++i) {
+    std::printf("  wheel %-16s  load %8.1f N, tire deflection %.1f mm\n",
+                vehicle.wheels[i].name.c_str(), report.wheel_loads[i],
+                1e3 * report.tire_deflections[i]);
+  }
+  for (std::size_t i = 0; i < report.spring_forces.size(); ++i) {
+    std::printf("  %-22s  force %8.1f N\n", vehicle.springs[i].name.c_str(),
+                report.spring_forces[i]);
+  }
+}
+
+void PrintPerformance(const VehicleReport& report) {
+  std::printf("  top speed by gearing    %.1f m/s (%.0f km/h)\n", report.top_speed,
+              3.6 * report.top_speed);
+  std::printf("  steepest grade          %.1f deg by traction on firm soil, %.1f deg by torque\n",
+              ToDegrees(report.traction_grade), ToDegrees(report.power_grade));
+  std::printf("  side slope              %.1f deg static stability\n",
+              ToDegrees(report.stability_angle));
+  std::printf("  turning radius          %.2f m\n", report.min_turning_radius);
+}
+
+void PrintDynamics(const VehicleModel& vehicle, const VehicleReport& report) {
+  std::printf(
+      "  critical steps          %.2f ms translational, %.2f ms rotational, %.2f ms for the "
+      "fastest mode\n",
+      1e3 * report.critical_translational, 1e3 * report.critical_rotational,
+      1e3 * report.fastest_mode_limit);
+  std::printf("  steps in use            construction %.2f ms, springs %.2f ms, tires %.2f ms\n",
+              1e3 * vehicle.steps.construction, 1e3 * vehicle.steps.spring,
+              1e3 * vehicle.steps.tire);
+  for (const VibrationMode& mode : report.modes) {
+    std::printf("  mode %6.2f Hz           damping %.3f, %s\n", mode.frequency, mode.damping,
+                mode.shape.c_str());
+  }
+}
+
+}  // namespace
+
 int RunVehicleCheck(const std::string& name_or_file) {
   const auto vehicle = LoadVehicle(name_or_file);
-  PrintDescription(*vehicle);
-  PrintStatics(*vehicle);
+  const VehicleReport report = CheckVehicle(*vehicle);
+  PrintStatics(*vehicle, report);
+  PrintPerformance(report);
+  PrintDynamics(*vehicle, report);
   return kExitOk;
 }
 

@@ -33,11 +33,11 @@ struct EngineModel {
   int control_every = 1;
 };
 
-/// One construction step of one vehicle, or of one pack of vehicles.
+/// All forces on all bodies at the present time, into work.wrench; spins and slips advance.
 template <class Real>
-void StepEngine(const EngineModel& engine, const Ground& ground,
-                const WheelControls<Real>& controls, EngineState<Real>& state,
-                Workspace<Real>& work) {
+void EvaluateForces(const EngineModel& engine, const Ground& ground,
+                    const WheelControls<Real>& controls, EngineState<Real>& state,
+                    Workspace<Real>& work) {
   const VehicleModel& model = *engine.vehicle;
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
     work.R_WB[i] = RotationMatrix(state.bodies[i].q_WB);
@@ -53,7 +53,15 @@ void StepEngine(const EngineModel& engine, const Ground& ground,
   AddLinkForces(model, state, work);
   AddJointTorques(model, controls, state, work);
   AddTireForces(model, controls, engine.step, state, work);
-  IntegrateBodies(model, engine.gravity, engine.step, work, state);
+}
+
+/// One construction step of one vehicle, or of one pack of vehicles.
+template <class Real>
+void StepEngine(const EngineModel& engine, const Ground& ground,
+                const WheelControls<Real>& controls, EngineState<Real>& state,
+                Workspace<Real>& work) {
+  EvaluateForces(engine, ground, controls, state, work);
+  IntegrateBodies(*engine.vehicle, engine.gravity, engine.step, work, state);
   ++state.step;
 }
 
