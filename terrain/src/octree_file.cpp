@@ -14,6 +14,9 @@ namespace dbd {
 namespace {
 
 constexpr int kTreeDepth = 16;
+constexpr const char* kBinaryFormat = "# Octomap OcTree binary file";
+constexpr const char* kFullFormat = "# Octomap OcTree file";
+constexpr const char* kTreeType = "OcTree";
 
 struct Header {
   bool is_binary = false;  // .bt: two bits per child; .ot: a value per node
@@ -40,9 +43,9 @@ std::string ReadAll(const std::string& file) {
 // Lines "key value" up to "data", after the line that names the format; # begins a comment.
 Header ParseHeader(const std::string& file, const std::string& bytes) {
   Header header;
-  if (bytes.rfind("# Octomap OcTree binary file", 0) == 0) {
+  if (bytes.rfind(kBinaryFormat, 0) == 0) {
     header.is_binary = true;
-  } else if (bytes.rfind("# Octomap OcTree file", 0) != 0) {
+  } else if (bytes.rfind(kFullFormat, 0) != 0) {
     Fail(file, "is not an OctoMap tree (.bt or .ot)");
   }
   std::size_t begin = 0;
@@ -70,7 +73,7 @@ Header ParseHeader(const std::string& file, const std::string& bytes) {
 }
 
 void CheckHeader(const std::string& file, const Header& header) {
-  if (header.tree_type != "OcTree") {
+  if (header.tree_type != kTreeType) {
     Fail(file, "holds a tree of type '" + header.tree_type.substr(0, 40) + "', OcTree is needed");
   }
   if (!(header.resolution >= 1e-3 && header.resolution <= 1e3)) {
@@ -148,6 +151,14 @@ std::unique_ptr<octomap::OcTree> ReadOctree(const std::string& file) {
     tree->readData(stream);
   }
   return tree;
+}
+
+void WriteOctree(octomap::OcTree& tree, std::ostream& stream) {
+  tree.toMaxLikelihood();
+  tree.prune();
+  stream << kBinaryFormat << "\nid " << kTreeType << "\nsize " << tree.size() << "\nres "
+         << tree.getResolution() << "\ndata\n";
+  if (tree.size() > 0) tree.writeBinaryData(stream);
 }
 
 }  // namespace dbd

@@ -2,6 +2,7 @@
 
 #include <octomap/OcTree.h>
 
+#include <iosfwd>
 #include <memory>
 #include <string>
 
@@ -12,5 +13,9 @@ namespace dbd {
 /// checked here first, and OctoMap sees only what it can read.
 /// Throws InputError that names the file and what is wrong with it.
 std::unique_ptr<octomap::OcTree> ReadOctree(const std::string& file);
+
+/// Writes a .bt file's bytes; occupancy is reduced to occupied or free and leaves are merged first.
+/// OctoMap's own function reports on the error stream.
+void WriteOctree(octomap::OcTree& tree, std::ostream& stream);
 
 }  // namespace dbd

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "gdal_session.h"
+#include "octree_file.h"
 
 namespace dbd {
 namespace {
@@ -162,7 +163,7 @@ void WriteTable(const std::string& file, const MaterialTable& table) {
 
 void WriteObstacles(const std::string& file, octomap::OcTree& obstacles) {
   std::ofstream stream(file, std::ios::binary);
-  obstacles.writeBinary(stream);
+  WriteOctree(obstacles, stream);
   CloseStream(file, &stream);
 }
 

@@ -1,0 +1,96 @@
+#include <dbd/terrain/material_map.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/terrain_files.h"
+
+namespace dbd {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+TEST(MaterialTable, HasTheAsaeClasses) {
+  const MaterialTable table = MaterialTable::Load("basic");
+  EXPECT_DOUBLE_EQ(table.GetName("firm-soil").soil.cone_index, 1800e3);
+  EXPECT_DOUBLE_EQ(table.GetName("medium-soil").soil.cone_index, 1200e3);
+  EXPECT_DOUBLE_EQ(table.GetName("tilled-soil").soil.cone_index, 900e3);
+  EXPECT_DOUBLE_EQ(table.GetName("soft-soil").soil.cone_index, 450e3);
+  EXPECT_FALSE(table.GetName("water").passable);
+  EXPECT_EQ(table.FindCode(table.GetName("paved").code)->name, "paved");
+  EXPECT_EQ(table.FindCode(12345), nullptr);
+}
+
+TEST(MaterialTable, HasUscsSoilsByMoisture) {
+  const MaterialTable table = MaterialTable::Load("uscs");
+  // SM, w = 22 %: exp(8.749 - 1.1949 ln 22) = exp(8.749 - 3.6935) = 156.9 psi = 1081.7 kPa.
+  EXPECT_NEAR(table.GetName("SM-moist").soil.cone_index, 1081.7e3, 200);
+  // ML, w = 35 %: exp(10.225 - 1.565 * 3.55535) = exp(4.66088) = 105.73 psi = 729.0 kPa.
+  EXPECT_NEAR(table.GetName("ML-wet").soil.cone_index, 729.0e3, 200);
+  for (const Material& material : table.materials()) {
+    EXPECT_LE(material.soil.cone_index, 300 * 6894.8) << material.name;
+  }
+  for (const char* soil : {"SM", "CL", "CH", "MH", "OL"}) {
+    const std::string name = soil;
+    EXPECT_LE(table.GetName(name + "-wet").soil.cone_index,
+              table.GetName(name + "-moist").soil.cone_index);
+  }
+}
+
+TEST(MaterialTable, NamesItsBuiltInTables) {
+  EXPECT_THAT(MaterialTable::BuiltInNames(), ElementsAre("basic", "forest-ponds", "uscs"));
+  EXPECT_FALSE(MaterialTable::Load("forest-ponds").FindCode(3)->passable);
+}
+
+class MaterialTableFile : public testing::Test {
+ protected:
+  std::string Message(const std::string& materials) {
+    const std::string file = directory_.Write(
+        "m.json", R"({"schema": "dbd.materials/1", "materials": [)" + materials + "]}");
+    return ErrorOf([&] { MaterialTable::Load(file); });
+  }
+  TemporaryDirectory directory_;
+};
+
+TEST_F(MaterialTableFile, FillsInDefaults) {
+  const MaterialTable table = MaterialTable::Load(
+      directory_.Write("mine.json", R"({"schema": "dbd.materials/1", "materials": [
+        {"code": 7, "name": "loam", "cone_index_kpa": 700}]})"));
+  EXPECT_EQ(table.name(), "mine");
+  const Material& loam = table.GetName("loam");
+  EXPECT_EQ(loam.code, 7);
+  EXPECT_DOUBLE_EQ(loam.soil.cone_index, 700e3);
+  EXPECT_DOUBLE_EQ(loam.soil.friction_limit, 0.88);
+  EXPECT_DOUBLE_EQ(loam.cone_index_spread, 0.2);
+  EXPECT_TRUE(loam.passable);
+  EXPECT_EQ(loam.source, "assumed");
+}
+
+TEST_F(MaterialTableFile, RefusesWhatIsWrong) {
+  EXPECT_THAT(Message(R"({"code": 1, "name": "a", "cone_index_kpa": 1, "frictionlimit": 1})"),
+              HasSubstr("friction_limit"));
+  EXPECT_THAT(Message(R"({"code": 1, "name": "a"})"),
+              HasSubstr("materials[0].cone_index_kpa: is missing"));
+  EXPECT_THAT(Message(R"({"code": 1, "name": "a", "cone_index_kpa": -5})"),
+              HasSubstr("materials[0].cone_index_kpa: is -5"));
+  EXPECT_THAT(Message(R"({"code": 1, "name": "a", "cone_index_kpa": 0})"), HasSubstr("above 0"));
+  EXPECT_THAT(Message(R"({"code": 1.5, "name": "a", "cone_index_kpa": 5})"), HasSubstr("code"));
+  EXPECT_THAT(Message(R"({"code": 1, "name": "a", "cone_index_kpa": 5},
+                         {"code": 1, "name": "b", "cone_index_kpa": 5})"),
+              HasSubstr("materials[1].code 1 is there twice"));
+  EXPECT_THAT(Message(R"({"code": 1, "name": "a", "cone_index_kpa": 5},
+                         {"code": 2, "name": "a", "cone_index_kpa": 5})"),
+              HasSubstr("'a' is there twice"));
+  EXPECT_THAT(Message(R"({"code": 1, "name": "a", "cone_index_kpa": 5, "passable": "no"})"),
+              HasSubstr("true or false"));
+  EXPECT_THAT(Message("{"), HasSubstr("not valid JSON"));
+}
+
+TEST_F(MaterialTableFile, RefusesOtherSchemasAndMissingFiles) {
+  const std::string file = directory_.Write("m.json", R"({"schema": "other/1", "materials": []})");
+  EXPECT_THAT(ErrorOf([&] { MaterialTable::Load(file); }), HasSubstr("dbd.materials/1"));
+  EXPECT_THAT(ErrorOf([] { MaterialTable::Load("basik"); }), HasSubstr("built in are basic"));
+}
+
+}  // namespace
+}  // namespace dbd
