@@ -14,32 +14,32 @@ namespace {
 constexpr double kSameTrace = 0.01;
 
 // Separations are means, so a coarse trace serves.
-constexpr double kFinestTrace = 2.0;  // [m]
+constexpr double kTraceSpacing = 10.0;  // [m]
 
 }  // namespace
 
 bool CandidatePool::Offer(RouteDraft draft) {
   Entry entry{std::move(draft), {}, std::numeric_limits<double>::infinity()};
-  entry.trace = Thin(Positions(entry.draft.poses), std::max(kFinestTrace, min_separation_));
+  entry.trace = Thin(Positions(entry.draft.poses), kTraceSpacing);
   for (const Entry& other : taken_) {
-    entry.separation = std::min(entry.separation, Separation(entry.trace, other.trace));
-  }
-  if (entry.separation < min_separation_) {
+    if (Separation(entry.trace, other.trace) >= min_separation_) continue;
     reserve_.push_back(std::move(entry));
     return false;
   }
-  TakeIn(std::move(entry));
+  taken_.push_back(std::move(entry));
   return true;
 }
 
-void CandidatePool::TakeIn(Entry entry) {
+void CandidatePool::CompareReserveWith(std::size_t first_taken) {
   for (Entry& waiting : reserve_) {
-    waiting.separation = std::min(waiting.separation, Separation(waiting.trace, entry.trace));
+    for (std::size_t i = first_taken; i < taken_.size(); ++i) {
+      waiting.separation = std::min(waiting.separation, Separation(waiting.trace, taken_[i].trace));
+    }
   }
-  taken_.push_back(std::move(entry));
 }
 
 void CandidatePool::FillUp(int count) {
+  if (size() < count) CompareReserveWith(0);
   while (size() < count && !reserve_.empty()) {
     const auto best = std::max_element(
         reserve_.begin(), reserve_.end(),
@@ -47,7 +47,8 @@ void CandidatePool::FillUp(int count) {
     if (best->separation < kSameTrace) return;
     Entry entry = std::move(*best);
     reserve_.erase(best);
-    TakeIn(std::move(entry));
+    taken_.push_back(std::move(entry));
+    CompareReserveWith(taken_.size() - 1);
   }
 }
 

@@ -37,10 +37,10 @@ class CandidatePool {
   struct Entry {
     RouteDraft draft;
     std::vector<Eigen::Vector2d> trace;
-    double separation = 0;  // from the nearest route taken in
+    double separation = 0;  // from the nearest route taken in, once it was compared
   };
 
-  void TakeIn(Entry entry);
+  void CompareReserveWith(std::size_t first_taken);
 
   double min_separation_;
   std::vector<Entry> taken_;

@@ -4,10 +4,12 @@
 #include <dbd/planner/candidate_flood.h>
 #include <dbd/planner/candidate_smoother.h>
 #include <dbd/planner/ompl_planners.h>
+#include <dbd/planner/polyline_separation.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -21,11 +23,15 @@
 namespace dbd {
 namespace {
 
+constexpr const char* kRoadmapName = "roadmap";
 constexpr int kFreeHeadings = 8;
 constexpr int kRoadmapRounds = 3;  // each with twice the nodes of the one before
 constexpr int kWaves = 4;
 constexpr int kRrtConnectIterations = 4000;
 constexpr int kProbes = 4;  // of RRTConnect, where the roadmap found nothing
+// Attempts: first solutions of samplers have most to gain.
+constexpr int kRoadmapSmoothing = 100;
+constexpr int kSamplerSmoothing = 250;
 constexpr double kRoadmapShare = 0.6;
 constexpr double kRrtConnectShare = 0.25;
 // More are made at once than are wanted, because some turn out to be near others.
@@ -80,15 +86,35 @@ std::optional<NoRouteDiagnosis> CandidateSearch::Run(CandidatePool* pool,
   }
   const int wanted = options_.sampling.candidates;
   for (int wave = 0; wave < kWaves && pool->size() < wanted; ++wave) {
-    for (RouteDraft& draft : Generate(NextWave(wave, wanted - pool->size()))) {
-      if (pool->size() < wanted && std::isfinite(draft.cost)) pool->Offer(std::move(draft));
-    }
+    OfferAll(Generate(NextWave(wave, wanted - pool->size())), pool);
     if (progress) progress("sample", pool->size(), wanted);
     if (roadmap_ == nullptr && pool->size() == 0) return DiagnoseBetween();
   }
   pool->FillUp(wanted);
   if (progress) progress("sample", wanted, wanted);
   return std::nullopt;
+}
+
+void CandidateSearch::OfferAll(std::vector<RouteDraft> drafts, CandidatePool* pool) const {
+  const int wanted = options_.sampling.candidates;
+  const std::map<std::string, int> quotas{
+      {kRoadmapName, Share(kRoadmapShare, wanted)},
+      {OmplPlannerName(OmplPlanner::kRrtConnect), Share(kRrtConnectShare, wanted)}};
+  std::map<std::string, int> taken;
+  std::vector<RouteDraft> surplus;
+  for (RouteDraft& draft : drafts) {
+    if (!std::isfinite(draft.cost)) continue;
+    const auto quota = quotas.find(draft.origin);
+    if (quota != quotas.end() && taken[draft.origin] >= quota->second) {
+      surplus.push_back(std::move(draft));
+    } else if (pool->size() < wanted) {
+      const std::string origin = draft.origin;
+      if (pool->Offer(std::move(draft))) ++taken[origin];
+    }
+  }
+  for (RouteDraft& draft : surplus) {
+    if (pool->size() < wanted) pool->Offer(std::move(draft));
+  }
 }
 
 void CandidateSearch::SpanRegion(double margin, const std::vector<Eigen::Vector2d>& places) {
@@ -154,7 +180,7 @@ std::vector<RouteDraft> CandidateSearch::Generate(const Wave& wave) {
   const auto search_roadmap = [&] {
     const auto routes = PenalizedRoutes(wave.roadmap);
     for (std::size_t i = 0; i < routes.size(); ++i) {
-      drafts[i] = {"roadmap", routes[i], 0};
+      drafts[i] = {kRoadmapName, routes[i], 0};
     }
   };
   const auto sample = [&] {
@@ -184,8 +210,8 @@ std::vector<std::vector<Pose2>> CandidateSearch::PenalizedRoutes(int count) {
   std::vector<std::vector<Pose2>> routes;
   for (int i = 0; i < count; ++i) {
     routes.push_back(roadmap_->FindRoute());
-    roadmap_->Penalize(Positions(DensePoses(routes.back(), turning_radius_)), width,
-                       kPenaltyStrength);
+    roadmap_->Penalize(Thin(Positions(DensePoses(routes.back(), turning_radius_)), 0.25 * width),
+                       width, kPenaltyStrength);
   }
   return routes;
 }
@@ -194,6 +220,7 @@ void CandidateSearch::Finish(RouteDraft* draft, std::uint64_t seed) const {
   draft->cost = std::numeric_limits<double>::infinity();
   if (draft->poses.empty()) return;
   SmoothingOptions smoothing;
+  smoothing.attempts = draft->origin == kRoadmapName ? kRoadmapSmoothing : kSamplerSmoothing;
   smoothing.free_start = !request_.start_heading.has_value();
   smoothing.free_goal = !request_.goal_heading.has_value();
   draft->poses = SmoothRoute(layer_, turning_radius_, DensePoses(draft->poses, turning_radius_),

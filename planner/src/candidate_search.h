@@ -34,6 +34,8 @@ class CandidateSearch {
   void SpanRegion(double margin, const std::vector<Eigen::Vector2d>& places);
   bool ConnectRoadmap();
   Wave NextWave(int wave, int missing) const;
+  // Offers each source's quota first, then what was made on top.
+  void OfferAll(std::vector<RouteDraft> drafts, CandidatePool* pool) const;
   std::vector<RouteDraft> Generate(const Wave& wave);
   std::vector<std::vector<Pose2>> PenalizedRoutes(int count);
   void Finish(RouteDraft* draft, std::uint64_t seed) const;

@@ -30,6 +30,9 @@ constexpr double kLeastReachInRadii = 4.0;
 // Starts and goals must get out of tight places: more and longer edges than inner nodes.
 constexpr int kEndNeighbourFactor = 3;
 
+// One direct edge stands for a whole row of nodes: found once, it should not be found again soon.
+constexpr double kDirectFactor = 10.0;
+
 // Element `index` of the van der Corput sequence.
 double RadicalInverse(int index, int base) {
   double value = 0;
@@ -142,6 +145,11 @@ double Roadmap::CostToGo(int node) const {
   return nearest * layer_->min_seconds_per_metre();
 }
 
+double Roadmap::Weight(int from, int to) const {
+  if (IsStart(from) && IsGoal(to)) return direct_penalty_;
+  return 0.5 * (penalties_[from] + penalties_[to]);
+}
+
 std::vector<Pose2> Roadmap::FindRoute() const {
   // A*: the entry with the least cost so far plus cost to go first, ties by node.
   using Entry = std::pair<double, int>;
@@ -165,8 +173,7 @@ std::vector<Pose2> Roadmap::FindRoute() const {
       return route;
     }
     for (const Edge& edge : edges_[node]) {
-      const double weight = 0.5 * (penalties_[node] + penalties_[edge.to]);
-      const double reached = cost[node] + weight * edge.cost;
+      const double reached = cost[node] + Weight(node, edge.to) * edge.cost;
       if (reached >= cost[edge.to]) continue;
       cost[edge.to] = reached;
       parent[edge.to] = node;
@@ -182,9 +189,17 @@ void Roadmap::Penalize(const std::vector<Eigen::Vector2d>& polyline, double widt
     const double distance = DistanceToPolyline(nodes_[node].position(), polyline);
     if (distance < width) penalties_[node] += strength * (1.0 - distance / width);
   }
+  if (starts_ == 0 || goals_ == 0) return;
+  // A direct edge has no inner node that could bear the penalty.
+  const Eigen::Vector2d middle = 0.5 * (nodes_[0].position() + nodes_[starts_].position());
+  const double distance = DistanceToPolyline(middle, polyline);
+  if (distance < width) direct_penalty_ += strength * kDirectFactor * (1.0 - distance / width);
 }
 
-void Roadmap::ClearPenalties() { std::fill(penalties_.begin(), penalties_.end(), 1.0); }
+void Roadmap::ClearPenalties() {
+  std::fill(penalties_.begin(), penalties_.end(), 1.0);
+  direct_penalty_ = 1.0;
+}
 
 int Roadmap::edge_count() const {
   int count = 0;

@@ -57,6 +57,7 @@ class Roadmap {
   void BuildEdges(const RoadmapOptions& options, double area);
   std::vector<Edge> EdgesFrom(int node, const std::vector<int>& nearby,
                               const RoadmapOptions& options, double radius) const;
+  double Weight(int from, int to) const;
   bool IsStart(int node) const { return node < starts_; }
   bool IsGoal(int node) const { return node >= starts_ && node < starts_ + goals_; }
   double CostToGo(int node) const;
@@ -67,7 +68,8 @@ class Roadmap {
   int goals_ = 0;
   std::vector<Pose2> nodes_;
   std::vector<std::vector<Edge>> edges_;
-  std::vector<double> penalties_;
+  std::vector<double> penalties_;  // factor per node, 1 = none
+  double direct_penalty_ = 1;      // of the edges from a start straight to a goal
 };
 
 }  // namespace dbd
