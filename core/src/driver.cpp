@@ -6,7 +6,6 @@
 namespace dbd {
 namespace {
 
-constexpr double kProfileStep = 0.5;      // [m]
 constexpr double kCurvatureWindow = 1.5;  // [m] to each side
 constexpr double kFarAhead = 1e4;         // [m] length of the line driven when there is no path
 constexpr double kStandstill = 0.05;      // [m/s]
@@ -77,18 +76,23 @@ void Driver::SetStart(const Eigen::Vector2d& position, double heading) {
   options_.stop_at_end = false;
 }
 
-/// Curves limit the speed; a backward sweep makes the vehicle brake before them.
+/// Curves and the ground limit the speed; a backward sweep makes the vehicle brake before them.
 void Driver::BuildSpeedProfile() {
-  const int count = static_cast<int>(std::ceil(path_.length() / kProfileStep)) + 1;
+  const int count = static_cast<int>(std::ceil(path_.length() / kSpeedLimitSpacing)) + 1;
   speed_profile_.resize(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
-    const double curvature = std::abs(path_.Curvature(i * kProfileStep, kCurvatureWindow));
+    const double curvature = std::abs(path_.Curvature(i * kSpeedLimitSpacing, kCurvatureWindow));
     const double curve = std::sqrt(options_.curve_acceleration / std::max(curvature, 1e-6));
     speed_profile_[static_cast<std::size_t>(i)] = std::min(options_.target_speed, curve);
   }
+  const std::size_t given = std::min(options_.speed_limits.size(), speed_profile_.size());
+  for (std::size_t i = 0; i < given; ++i) {
+    speed_profile_[i] = std::min(speed_profile_[i], options_.speed_limits[i]);
+  }
   for (std::size_t i = speed_profile_.size() - 1; i-- > 0;) {
     const double next = speed_profile_[i + 1];
-    const double reachable = std::sqrt(next * next + 2 * options_.deceleration * kProfileStep);
+    const double reachable =
+        std::sqrt(next * next + 2 * options_.deceleration * kSpeedLimitSpacing);
     speed_profile_[i] = std::min(speed_profile_[i], reachable);
   }
 }
@@ -96,7 +100,7 @@ void Driver::BuildSpeedProfile() {
 double Driver::SpeedLimit(double s) const {
   if (speed_profile_.empty()) return options_.target_speed;
   const auto last = static_cast<double>(speed_profile_.size() - 1);
-  const double index = std::clamp(s / kProfileStep, 0.0, last);
+  const double index = std::clamp(s / kSpeedLimitSpacing, 0.0, last);
   return speed_profile_[static_cast<std::size_t>(index)];
 }
 

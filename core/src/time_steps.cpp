@@ -50,7 +50,9 @@ StepSizes ChooseStepSizes(const VehicleModel& vehicle) {
   steps.construction = RoundDown(std::min(construction / kSafety, kSlowestTire));
   // A spring update costs little; holding its force would only add lag.
   steps.spring = steps.construction;
-  steps.tire = std::min(std::max(tire / kSafety, steps.construction), kSlowestTire);
+  // Only the contact's geometry is held at this rate, so the nearest multiple is safe.
+  const double multiple = std::max(1.0, std::round(tire / kSafety / steps.construction));
+  steps.tire = std::min(multiple * steps.construction, kSlowestTire);
   steps.control = kSlowestControl;
   SynchroniseSteps(steps);
   return steps;

@@ -7,6 +7,7 @@
 
 #include "judge.h"
 #include "observation.h"
+#include "speed_limits.h"
 
 namespace dbd {
 namespace {
@@ -50,7 +51,9 @@ class Drive {
         path_(path),
         options_(options),
         simulation_(vehicle, terrain),
-        driver_(vehicle, path, {.target_speed = options.target_speed}),
+        driver_(vehicle, path,
+                {.target_speed = options.target_speed,
+                 .speed_limits = GroundSpeedLimits(terrain, vehicle, path)}),
         judge_(vehicle, options.stop_at_violation),
         recorder_(options, rollout_) {
     simulation_.Place(start, heading, kSettleTime);

@@ -3,6 +3,8 @@
 #include <dbd/core/path.h>
 #include <dbd/core/vehicle_model.h>
 
+#include <vector>
+
 namespace dbd {
 
 // The driver (paper sections 4.7, 4.8, 5.1): pure pursuit of a path with Ackermann steering, and
@@ -18,7 +20,12 @@ struct DriverOptions {
   double integral_gain = 30.0;      ///< [N m/m]
   double brake_gain = 0.4;          ///< share of full brake per m/s too fast, beyond 0.5 m/s
   bool stop_at_end = true;          ///< of the path
+  /// Limits that the ground sets, every `kSpeedLimitSpacing` along the path [m/s]; may be empty.
+  std::vector<double> speed_limits = {};
 };
+
+/// Spacing of `DriverOptions::speed_limits` along the path [m].
+inline constexpr double kSpeedLimitSpacing = 0.5;
 
 /// What the driver sees of the vehicle.
 struct DriverView {
@@ -64,7 +71,7 @@ class Driver {
   DriverOptions options_;
   double wheelbase_;
   double max_steer_;
-  std::vector<double> speed_profile_;  // every kProfileStep along the path
+  std::vector<double> speed_profile_;  // every kSpeedLimitSpacing along the path
 };
 
 /// Steer angle of each wheel for a mean steer angle, so that all wheels roll about one centre

@@ -1,0 +1,63 @@
+#include "speed_limits.h"
+
+#include <dbd/core/driver.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dbd {
+namespace {
+
+constexpr double kVerticalAcceleration = 2.5;  // [m/s^2] a quarter of gravity
+constexpr double kLeastSpeed = 1.0;            // [m/s] nothing is crossed slower
+constexpr double kHalfSpan = 1.0;              // [m] over which curvature is felt
+
+std::vector<double> TrackHeights(const Terrain& terrain, const Path& path, double offset,
+                                 std::size_t count) {
+  std::vector<double> heights(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double s = static_cast<double>(i) * kSpeedLimitSpacing;
+    const double heading = path.Heading(s);
+    const Eigen::Vector2d left(-std::sin(heading), std::cos(heading));
+    const Eigen::Vector2d p = path.Position(s) + offset * left;
+    heights[i] = terrain.Height(p.x(), p.y());
+  }
+  return heights;
+}
+
+void LimitByCurvature(const std::vector<double>& heights, std::vector<double>& limits) {
+  const auto reach = static_cast<std::size_t>(kHalfSpan / kSpeedLimitSpacing);
+  const double span = static_cast<double>(reach) * kSpeedLimitSpacing;
+  for (std::size_t i = reach; i + reach < heights.size(); ++i) {
+    const double bend = heights[i + reach] - 2 * heights[i] + heights[i - reach];
+    const double curvature = std::abs(bend) / (span * span);
+    const double speed = std::sqrt(kVerticalAcceleration / std::max(curvature, 1e-6));
+    limits[i] = std::min(limits[i], std::max(kLeastSpeed, speed));
+  }
+}
+
+/// The path is the rear axle's: a place is felt from when the front wheels reach it.
+std::vector<double> SpreadOverVehicle(const std::vector<double>& limits, double wheelbase) {
+  const auto ahead = static_cast<std::size_t>(std::ceil(wheelbase / kSpeedLimitSpacing));
+  std::vector<double> spread = limits;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const std::size_t last = std::min(limits.size(), i + ahead + 1);
+    for (std::size_t j = i; j < last; ++j) spread[i] = std::min(spread[i], limits[j]);
+  }
+  return spread;
+}
+
+}  // namespace
+
+std::vector<double> GroundSpeedLimits(const Terrain& terrain, const VehicleModel& vehicle,
+                                      const Path& path) {
+  if (path.empty()) return {};
+  const auto count = static_cast<std::size_t>(std::ceil(path.length() / kSpeedLimitSpacing)) + 1;
+  std::vector<double> limits(count, vehicle.limits.max_speed);
+  for (const double side : {0.5, -0.5}) {
+    LimitByCurvature(TrackHeights(terrain, path, side * vehicle.mean_track(), count), limits);
+  }
+  return SpreadOverVehicle(limits, vehicle.wheelbase());
+}
+
+}  // namespace dbd

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <dbd/core/path.h>
+#include <dbd/core/vehicle_model.h>
+#include <dbd/terrain/terrain.h>
+
+#include <vector>
+
+namespace dbd {
+
+/// How fast the ground lets a careful driver go, every `kSpeedLimitSpacing` along the path [m/s].
+///
+/// Along the two wheel tracks the profile's curvature k asks for the vertical acceleration v^2 k:
+/// the speed is limited so that this stays below a comfortable share of gravity, over the length
+/// of the vehicle around each place.
+std::vector<double> GroundSpeedLimits(const Terrain& terrain, const VehicleModel& vehicle,
+                                      const Path& path);
+
+}  // namespace dbd
