@@ -1,7 +1,6 @@
 #include "command_line.h"
 
 #include <CLI/CLI.hpp>
-#include <map>
 
 #ifndef DBD_VERSION
 #error "DBD_VERSION is set by the build"
@@ -47,11 +46,14 @@ void AddVehicleFlag(CLI::App* command, std::string* vehicle) {
 }
 
 void AddCoordinatesFlag(CLI::App* command, Coordinates* coordinates) {
-  static const std::map<std::string, Coordinates> kNames = {{"map", Coordinates::kMap},
-                                                            {"wgs84", Coordinates::kWgs84}};
-  command->add_option("--coords", *coordinates, "How coordinates are meant, default map")
-      ->transform(CLI::Transformer(kNames))
-      ->check(CLI::IsMember(kNames))
+  command
+      ->add_option_function<std::string>(
+          "--coords",
+          [coordinates](const std::string& name) {
+            *coordinates = name == "wgs84" ? Coordinates::kWgs84 : Coordinates::kMap;
+          },
+          "How coordinates are meant, default map")
+      ->check(CLI::IsMember({"map", "wgs84"}))
       ->option_text("map|wgs84");
 }
 

@@ -81,7 +81,7 @@ std::string PlanSubtitle(const PlanRecord& record) {
   const Rollout* chosen = record.chosen();
   const LocalFrame& frame = record.terrain.frame();
   const std::string driven = OutcomeCounts(record.plan.rollouts);
-  if (!chosen) return driven + ". " + record.plan.reason;
+  if (!chosen) return Words(record.plan.reason);
   const std::string limit = TightestLimit(*chosen, frame);
   return limit.empty() ? driven : driven + ". Tightest limit: " + limit;
 }
@@ -98,7 +98,7 @@ std::string PlanSummary(const PlanRecord& record, const OutputDirectory& output)
       text += Row("tightest", limit);
     }
   } else {
-    text = "No safe route: " + plan.reason + "\n";
+    text = "No safe route: " + Words(plan.reason) + "\n";
     if (plan.blocked_at)
       text += Row("blocked", "at " + DescribePlace(frame, plan.blocked_at->head<2>()));
   }

@@ -42,12 +42,14 @@ MapContent StraightRoute() {
   content.start = Eigen::Vector2d(20, 50);
   content.goal = Eigen::Vector2d(180, 50);
   content.route = {{20, 50}, {180, 50}};
-  content.candidates = {{{{20, 50}, {180, 50}}, Outcome::kReached, {180, 50}},
-                        {{{20, 80}, {180, 80}}, Outcome::kImmobilized, {180, 80}}};
+  content.candidates = {
+      {{{20, 50}, {180, 50}}, Outcome::kReached, {180, 50}},
+      {{{5, 5}, {5, 80}, {195, 80}, {195, 95}}, Outcome::kImmobilized, {195, 95}}};
   return content;
 }
 
-// The slope measures 200 m x 100 m and is shown whole: 1400 pixels / 200 m = 7 pixels per metre.
+// The slope measures 200 m x 100 m and is shown whole, since the lines spread over most of it:
+// 1400 pixels / 200 m = 7 pixels per metre.
 constexpr int kPixelsPerMeter = 7;
 std::array<int, 3> PixelAt(const Image& image, double x, double y) {
   return image.At(static_cast<int>(x * kPixelsPerMeter),
