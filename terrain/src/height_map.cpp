@@ -16,11 +16,17 @@ constexpr double kTileWidth = 1.0;
 // Tiles of an n-cell axis.
 int TileCount(int cells, int tile_cells) { return (cells - 2) / tile_cells + 1; }
 
-// A coordinate in cells, held inside the grid; not a number becomes 0.
-double ClampIndex(double index, double last) { return std::min(std::max(0.0, index), last); }
+// A coordinate in cells, held inside the grid; not a number becomes 0. Written so that it compiles
+// to a maximum and a minimum.
+double ClampIndex(double index, double last) {
+  const double not_below = index > 0.0 ? index : 0.0;
+  return not_below < last ? not_below : last;
+}
 
 // The square that holds an index coordinate; the last point belongs to the last square.
-int SquareOf(double index, double last) { return static_cast<int>(std::min(index, last - 1.0)); }
+int SquareOf(double index, double last) {
+  return static_cast<int>(index < last - 1.0 ? index : last - 1.0);
+}
 
 }  // namespace
 
@@ -48,27 +54,36 @@ double HeightMap::Height(double x, double y) const {
   return z;
 }
 
+// Two passes over a block: the arithmetic of the first is done for several places at once by the
+// compiler, the reads of the second are not.
 void HeightMap::Heights(int count, const double* x, const double* y, double* z) const {
-  const RowPair* pairs = row_pairs_.data();
-  const double first_x = grid_.first_center.x();
-  const double first_y = grid_.first_center.y();
-  const double per_x = inverse_cell_size_.x();
-  const double per_y = inverse_cell_size_.y();
+  constexpr int kBlock = 16;
   const double last_u = last_index_.x();
   const double last_v = last_index_.y();
   const auto columns = static_cast<std::size_t>(grid_.columns);
-  const double base = base_height_;
-  for (int i = 0; i < count; ++i) {
-    const double u = ClampIndex((x[i] - first_x) * per_x, last_u);
-    const double v = ClampIndex((y[i] - first_y) * per_y, last_v);
-    const int column = SquareOf(u, last_u);
-    const int row = SquareOf(v, last_v);
-    const RowPair* west = pairs + static_cast<std::size_t>(row) * columns + column;
-    const double east_weight = u - column;
-    const double north_weight = v - row;
-    const double south_z = west[0].south + east_weight * (double{west[1].south} - west[0].south);
-    const double north_z = west[0].north + east_weight * (double{west[1].north} - west[0].north);
-    z[i] = base + (south_z + north_weight * (north_z - south_z));
+  double east[kBlock];
+  double north[kBlock];
+  int column[kBlock];
+  int row[kBlock];
+  for (int first = 0; first < count; first += kBlock) {
+    const int size = std::min(kBlock, count - first);
+    for (int k = 0; k < size; ++k) {
+      const double u =
+          ClampIndex((x[first + k] - grid_.first_center.x()) * inverse_cell_size_.x(), last_u);
+      const double v =
+          ClampIndex((y[first + k] - grid_.first_center.y()) * inverse_cell_size_.y(), last_v);
+      column[k] = SquareOf(u, last_u);
+      row[k] = SquareOf(v, last_v);
+      east[k] = u - column[k];
+      north[k] = v - row[k];
+    }
+    for (int k = 0; k < size; ++k) {
+      const RowPair* west =
+          row_pairs_.data() + static_cast<std::size_t>(row[k]) * columns + column[k];
+      const double south_z = west[0].south + east[k] * (double{west[1].south} - west[0].south);
+      const double north_z = west[0].north + east[k] * (double{west[1].north} - west[0].north);
+      z[first + k] = base_height_ + (south_z + north[k] * (north_z - south_z));
+    }
   }
 }
 
