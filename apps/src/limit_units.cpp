@@ -5,8 +5,8 @@
 namespace dbd {
 
 LimitUnit UnitOfLimit(const std::string& limit) {
-  if (limit == "roll" || limit == "pitch" || limit == "slope") return {ToDegrees(1), "deg", "°"};
-  if (limit == "sinkage" || limit == "clearance") return {1, "m", " m"};
+  if (limit == "roll" || limit == "pitch" || limit == "slope") return {ToDegrees(1), "deg", "°", 1};
+  if (limit == "sinkage" || limit == "clearance") return {1, "m", " m", 3};
   return {};
 }
 

@@ -9,6 +9,7 @@ struct LimitUnit {
   double factor = 1;
   const char* name = "";    ///< in files: "deg", "m", "" for a ratio
   const char* symbol = "";  ///< in text: "°", " m", ""
+  int decimals = 2;         ///< in text
 };
 
 /// Angles become degrees, lengths stay metres, ratios have no unit.

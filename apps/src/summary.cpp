@@ -51,10 +51,10 @@ std::string TightestLimit(const Rollout& rollout, const LocalFrame& frame) {
   const LimitMargin* binding = BindingLimit(rollout);
   if (!binding) return "";
   const LimitUnit unit = UnitOfLimit(binding->name);
-  return Format("%s %.3g%s of %.3g%s (%.0f %% left) after %.0f m at %s",
-                Words(binding->name).c_str(), binding->worst * unit.factor, unit.symbol,
-                binding->limit * unit.factor, unit.symbol, 100 * binding->margin, binding->s,
-                DescribePlace(frame, binding->place).c_str());
+  return Format("%s %.*f%s, limit %.*f%s (%.0f %% left), after %.0f m at %s",
+                Words(binding->name).c_str(), unit.decimals, binding->worst * unit.factor,
+                unit.symbol, unit.decimals, binding->limit * unit.factor, unit.symbol,
+                100 * binding->margin, binding->s, DescribePlace(frame, binding->place).c_str());
 }
 
 std::string OutcomeCounts(const std::vector<Rollout>& rollouts) {
@@ -102,8 +102,10 @@ std::string PlanSummary(const PlanRecord& record, const OutputDirectory& output)
     if (plan.blocked_at)
       text += Row("blocked", "at " + DescribePlace(frame, plan.blocked_at->head<2>()));
   }
-  text += Row("driven", OutcomeCounts(plan.rollouts));
-  text += Row("simulated", SimulationSpeed(plan));
+  if (!plan.rollouts.empty()) {
+    text += Row("driven", OutcomeCounts(plan.rollouts));
+    text += Row("simulated", SimulationSpeed(plan));
+  }
   return text + Row("files", FilesWritten(output));
 }
 

@@ -8,10 +8,10 @@
 
 namespace dbd {
 
-/// "1.12 km in 3 min 24 s, 19.8 km/h, 0.51 kWh".
+/// "1.12 km in 3 min 24 s, mean 19.8 km/h, 0.51 kWh at the wheels".
 std::string DriveTotals(const Rollout& rollout);
 
-/// "roll 24.1° of 30.0° (20 % left) after 412 m at 564312.1, 146522.8", or "" without limits.
+/// "roll 24.1°, limit 30.0° (20 % left), after 412 m at 564312.1, 146522.8", or "" without limits.
 std::string TightestLimit(const Rollout& rollout, const LocalFrame& frame);
 
 /// "32 candidates: 21 reached, 6 limit exceeded, 5 immobilized".

@@ -17,7 +17,7 @@ TEST(Summary, SaysWhatWasFoundAndHowTightItIs) {
   EXPECT_THAT(text, HasSubstr("Route found: candidate 0 (roadmap)"));
   // 160 m in 32 s is 5 m/s = 18 km/h; 36 kJ / 3.6 MJ = 0.01 kWh.
   EXPECT_THAT(text, HasSubstr("160 m in 32.0 s, mean 18.0 km/h, 0.01 kWh"));
-  EXPECT_THAT(text, HasSubstr("clearance 0.025 m of 0.02 m (25 % left) after 10 m"));
+  EXPECT_THAT(text, HasSubstr("clearance 0.025 m, limit 0.020 m (25 % left), after 10 m"));
   EXPECT_THAT(text, HasSubstr("2 candidates: 1 reached, 1 immobilized"));
   EXPECT_THAT(text, HasSubstr("48 s of driving in 0.25 s (192 x real time), all in 0.75 s"));
 }
