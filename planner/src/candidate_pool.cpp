@@ -4,7 +4,6 @@
 #include <dbd/planner/polyline_separation.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 namespace dbd {
@@ -18,9 +17,13 @@ constexpr double kTraceSpacing = 10.0;  // [m]
 
 }  // namespace
 
+CandidatePool::Entry::Entry(RouteDraft route)
+    : draft(std::move(route)), trace(Thin(Positions(draft.poses), kTraceSpacing)) {}
+
+void CandidatePool::Reserve(RouteDraft draft) { reserve_.emplace_back(std::move(draft)); }
+
 bool CandidatePool::Offer(RouteDraft draft) {
-  Entry entry{std::move(draft), {}, std::numeric_limits<double>::infinity()};
-  entry.trace = Thin(Positions(entry.draft.poses), kTraceSpacing);
+  Entry entry(std::move(draft));
   for (const Entry& other : taken_) {
     if (Separation(entry.trace, other.trace) >= min_separation_) continue;
     reserve_.push_back(std::move(entry));

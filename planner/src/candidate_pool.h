@@ -3,6 +3,7 @@
 #include <dbd/planner/dubins.h>
 
 #include <Eigen/Core>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,8 @@ namespace dbd {
 struct RouteDraft {
   std::string origin;
   std::vector<Pose2> poses;
-  double cost = 0;  ///< by the layer [s]
+  double cost = 0;                ///< by the layer [s]
+  std::vector<Pose2> unsmoothed;  ///< the route as it was found, empty when it is `poses`
 };
 
 /// Keeps routes that differ from each other, in the order of their arrival.
@@ -23,6 +25,9 @@ class CandidatePool {
   /// Takes the route in when it is at least `min_separation` from every other; otherwise keeps it
   /// in reserve. Returns whether it was taken in.
   bool Offer(RouteDraft draft);
+
+  /// Keeps a route for FillUp only.
+  void Reserve(RouteDraft draft);
 
   /// Takes in routes from the reserve until there are `count`, each time the one that differs
   /// most from those taken in; never the same trace twice.
@@ -35,9 +40,12 @@ class CandidatePool {
 
  private:
   struct Entry {
+    explicit Entry(RouteDraft route);
+
     RouteDraft draft;
     std::vector<Eigen::Vector2d> trace;
-    double separation = 0;  // from the nearest route taken in, once it was compared
+    // From the nearest route taken in, as far as it was compared.
+    double separation = std::numeric_limits<double>::infinity();
   };
 
   void CompareReserveWith(std::size_t first_taken);

@@ -4,11 +4,13 @@
 #include <dbd/planner/candidate_curve.h>
 #include <dbd/planner/ompl_planners.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
 #include <utility>
 
+#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include "candidate_search.h"
@@ -56,6 +58,13 @@ Candidate ToCandidate(const RouteDraft& draft, const PlanRequest& request) {
   return {draft.origin, Path(points), draft.cost};
 }
 
+// TBB prints a warning when an arena asks for more threads than the process may have.
+int ThreadCount(const PlanOptions& options) {
+  const auto most = static_cast<int>(
+      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
+  return options.threads > 0 ? std::min(options.threads, most) : most;
+}
+
 }  // namespace
 
 CandidateSet SampleCandidates(const Terrain& terrain, const VehicleModel& vehicle,
@@ -65,7 +74,7 @@ CandidateSet SampleCandidates(const Terrain& terrain, const VehicleModel& vehicl
   const OmplSilence silence;
   CandidatePool pool(options.sampling.min_separation);
   CandidateSet set;
-  tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+  tbb::task_arena arena(ThreadCount(options));
   arena.execute([&] {
     set.diagnosis = CandidateSearch(vehicle, layer, request, options).Run(&pool, progress);
   });

@@ -104,6 +104,7 @@ void CandidateSearch::OfferAll(std::vector<RouteDraft> drafts, CandidatePool* po
   std::vector<RouteDraft> surplus;
   for (RouteDraft& draft : drafts) {
     if (!std::isfinite(draft.cost)) continue;
+    ReserveUnsmoothed(&draft, pool);
     const auto quota = quotas.find(draft.origin);
     if (quota != quotas.end() && taken[draft.origin] >= quota->second) {
       surplus.push_back(std::move(draft));
@@ -115,6 +116,13 @@ void CandidateSearch::OfferAll(std::vector<RouteDraft> drafts, CandidatePool* po
   for (RouteDraft& draft : surplus) {
     if (pool->size() < wanted) pool->Offer(std::move(draft));
   }
+}
+
+void CandidateSearch::ReserveUnsmoothed(RouteDraft* draft, CandidatePool* pool) const {
+  RouteDraft variant{draft->origin, std::move(draft->unsmoothed), 0, {}};
+  draft->unsmoothed.clear();
+  variant.cost = PosesCost(layer_, variant.poses);
+  if (std::isfinite(variant.cost)) pool->Reserve(std::move(variant));
 }
 
 void CandidateSearch::SpanRegion(double margin, const std::vector<Eigen::Vector2d>& places) {
@@ -180,7 +188,7 @@ std::vector<RouteDraft> CandidateSearch::Generate(const Wave& wave) {
   const auto search_roadmap = [&] {
     const auto routes = PenalizedRoutes(wave.roadmap);
     for (std::size_t i = 0; i < routes.size(); ++i) {
-      drafts[i] = {kRoadmapName, routes[i], 0};
+      drafts[i] = {kRoadmapName, routes[i], 0, {}};
     }
   };
   const auto sample = [&] {
@@ -192,7 +200,9 @@ std::vector<RouteDraft> CandidateSearch::Generate(const Wave& wave) {
           optimize ? options_.sampling.planner_iterations : kRrtConnectIterations;
       const std::uint64_t seed = DeriveSeed(options_.seed, first_stream + wave.roadmap + i);
       drafts[wave.roadmap + i] = {OmplPlannerName(planner),
-                                  SolveWithOmpl(planner, layer_, ompl_query, seed, iterations), 0};
+                                  SolveWithOmpl(planner, layer_, ompl_query, seed, iterations),
+                                  0,
+                                  {}};
     });
   };
   tbb::parallel_invoke(search_roadmap, sample);
@@ -223,8 +233,8 @@ void CandidateSearch::Finish(RouteDraft* draft, std::uint64_t seed) const {
   smoothing.attempts = draft->origin == kRoadmapName ? kRoadmapSmoothing : kSamplerSmoothing;
   smoothing.free_start = !request_.start_heading.has_value();
   smoothing.free_goal = !request_.goal_heading.has_value();
-  draft->poses = SmoothRoute(layer_, turning_radius_, DensePoses(draft->poses, turning_radius_),
-                             smoothing, seed);
+  draft->unsmoothed = DensePoses(draft->poses, turning_radius_);
+  draft->poses = SmoothRoute(layer_, turning_radius_, draft->unsmoothed, smoothing, seed);
   if (AllGo(layer_, draft->poses)) draft->cost = PosesCost(layer_, draft->poses);
 }
 

@@ -36,6 +36,8 @@ class CandidateSearch {
   Wave NextWave(int wave, int missing) const;
   // Offers each source's quota first, then what was made on top.
   void OfferAll(std::vector<RouteDraft> drafts, CandidatePool* pool) const;
+  // Where smoothing makes many routes one, the routes as they were found are variants of it.
+  void ReserveUnsmoothed(RouteDraft* draft, CandidatePool* pool) const;
   std::vector<RouteDraft> Generate(const Wave& wave);
   std::vector<std::vector<Pose2>> PenalizedRoutes(int count);
   void Finish(RouteDraft* draft, std::uint64_t seed) const;

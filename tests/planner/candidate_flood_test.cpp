@@ -1,0 +1,67 @@
+#include <dbd/planner/candidate_flood.h>
+#include <gtest/gtest.h>
+
+#include "candidate_test_terrain.h"
+
+namespace dbd {
+namespace {
+
+// 2 m cells; water all round the middle, a lake in the south-west.
+const std::vector<std::string> kMoat = {
+    "....................", "....................", "......~~~~~~~~......", "......~~~~~~~~......",
+    "......~~....~~......", "......~~....~~......", "......~~....~~......", "......~~....~~......",
+    "......~~~~~~~~......", "......~~~~~~~~......", "....................", "....................",
+};
+
+TEST(CellFlood, StopsAtWater) {
+  const Terrain terrain = DrawnTerrain(kMoat, 2.0);
+  const auto vehicle = TestVehicle();
+  const TrafficabilityLayer layer(terrain, *vehicle, 8.0);
+  const CellFlood outside(layer, {4, 10}, FloodDirection::kFrom);
+  EXPECT_TRUE(outside.Reaches({34, 10}));
+  EXPECT_FALSE(outside.Reaches({19, 11}));
+  EXPECT_TRUE(outside.WayTo({19, 11}).empty());
+}
+
+TEST(CellFlood, WayLeadsFromTheOriginOverGoCells) {
+  const Terrain terrain = DrawnTerrain(kMoat, 2.0);
+  const auto vehicle = TestVehicle();
+  const TrafficabilityLayer layer(terrain, *vehicle, 8.0);
+  const CellFlood flood(layer, {4, 10}, FloodDirection::kFrom);
+  const std::vector<Eigen::Vector2d> way = flood.WayTo({34, 10});
+  ASSERT_FALSE(way.empty());
+  EXPECT_LE((way.front() - Eigen::Vector2d(4, 10)).norm(), layer.resolution());
+  EXPECT_LE((way.back() - Eigen::Vector2d(34, 10)).norm(), layer.resolution());
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    EXPECT_LE((way[i] - way[i - 1]).norm(), 1.5 * layer.resolution());
+    EXPECT_TRUE(layer.EvaluateAnyHeading(way[i].x(), way[i].y()).go());
+  }
+}
+
+TEST(CellFlood, BarrierIsTheWaterOnTheStraightLine) {
+  const Terrain terrain = DrawnTerrain(kMoat, 2.0);
+  const auto vehicle = TestVehicle();
+  const TrafficabilityLayer layer(terrain, *vehicle, 8.0);
+  const CellFlood inside(layer, {19, 11}, FloodDirection::kTo);
+  const CellFlood::Barrier barrier = inside.BarrierTowards({3, 11});
+  EXPECT_EQ(barrier.reason, NoGoReason::kImpassableMaterial);
+  // The western arm of the water is x = 11 ... 15.
+  EXPECT_NEAR(barrier.where.x(), 14.5, 1.5);
+  EXPECT_NEAR(barrier.where.y(), 11, 1.0);
+}
+
+TEST(CellFlood, KnowsThatASteepBankIsOneWay) {
+  // Mud-soft ground rising 25 deg to the east: down to the west only.
+  const double grade = std::tan(25 * 3.14159265 / 180);
+  const Terrain terrain = SurfaceTerrain(
+      61, 61, 1.0, [grade](double x, double) { return grade * x; }, 1.6e5);
+  const auto vehicle = TestVehicle();
+  const TrafficabilityLayer layer(terrain, *vehicle, 8.0);
+  ASSERT_EQ(layer.Evaluate(30, 30, 0).reason, NoGoReason::kTraction);
+  EXPECT_TRUE(CellFlood(layer, {50, 30}, FloodDirection::kFrom).Reaches({10, 30}));
+  EXPECT_FALSE(CellFlood(layer, {10, 30}, FloodDirection::kFrom).Reaches({50, 30}));
+  EXPECT_TRUE(CellFlood(layer, {10, 30}, FloodDirection::kTo).Reaches({50, 30}));
+}
+
+}  // namespace
+}  // namespace dbd

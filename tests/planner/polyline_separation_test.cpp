@@ -1,0 +1,42 @@
+#include <dbd/planner/polyline_separation.h>
+#include <gtest/gtest.h>
+
+namespace dbd {
+namespace {
+
+using Points = std::vector<Eigen::Vector2d>;
+
+TEST(Thin, KeepsTheEndsAndTheSpacing) {
+  Points points;
+  for (int i = 0; i <= 25; ++i) points.emplace_back(i, 0);
+  const Points thin = Thin(points, 10);
+  // 0, 10, 20 and the end.
+  ASSERT_EQ(thin.size(), 4u);
+  EXPECT_EQ(thin[2].x(), 20);
+  EXPECT_EQ(thin[3].x(), 25);
+}
+
+TEST(DistanceToPolyline, IsToTheNearestPlaceOfASegment) {
+  const Points line{{0, 0}, {10, 0}, {10, 10}};
+  EXPECT_DOUBLE_EQ(DistanceToPolyline({5, 3}, line), 3);
+  EXPECT_DOUBLE_EQ(DistanceToPolyline({13, 14}, line), 5);  // 3-4-5 from the end
+  EXPECT_DOUBLE_EQ(DistanceToPolyline({10, 5}, line), 0);
+}
+
+TEST(Separation, OfParallelLinesIsTheirDistance) {
+  const Points a{{0, 0}, {5, 0}, {10, 0}};
+  const Points b{{0, 7}, {10, 7}};
+  EXPECT_DOUBLE_EQ(Separation(a, b), 7);
+  EXPECT_DOUBLE_EQ(Separation(b, a), 7);
+  EXPECT_DOUBLE_EQ(Separation(a, a), 0);
+}
+
+TEST(Separation, CountsADetourOfOneOfThem) {
+  // a runs straight, b leaves it by 6 m at one of three points: means 0 and 2.
+  const Points a{{0, 0}, {100, 0}};
+  const Points b{{0, 0}, {50, 6}, {100, 0}};
+  EXPECT_DOUBLE_EQ(Separation(a, b), 2);
+}
+
+}  // namespace
+}  // namespace dbd
