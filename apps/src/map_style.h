@@ -46,15 +46,15 @@ constexpr Color OutcomeColor(Outcome outcome) {
     case Outcome::kCollided:
       return Hex(0x000000);
     case Outcome::kLeftMap:
-      return Hex(0x56b4e9);
+      return Hex(0x5f5f5f);
     case Outcome::kTimedOut:
       return Hex(0xf0e442);
     case Outcome::kDiverged:
       return Hex(0x7a4fb0);
     case Outcome::kCancelled:
-      return Hex(0x8c8c8c);
+      return Hex(0xb0b0b0);
   }
-  return Hex(0x8c8c8c);
+  return Hex(0xb0b0b0);
 }
 
 }  // namespace dbd

@@ -10,7 +10,7 @@ namespace {
 using Box = Eigen::AlignedBox2d;
 
 constexpr double kLeastMargin = 15.0;  // [m]
-constexpr double kMarginShare = 0.08;
+constexpr double kMarginShare = 0.12;
 // A window at least this share of the map's side might as well show all of it.
 constexpr double kNearlyAll = 0.8;
 constexpr double kLeastAspect = 0.5;  // height / width

@@ -17,6 +17,12 @@ std::string Words(std::string name) {
   return name;
 }
 
+std::string Capitalized(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
+    text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
 std::string Row(const char* label, const std::string& text) {
   return Format("  %-10s %s\n", label, text.c_str());
 }
@@ -81,7 +87,7 @@ std::string PlanSubtitle(const PlanRecord& record) {
   const Rollout* chosen = record.chosen();
   const LocalFrame& frame = record.terrain.frame();
   const std::string driven = OutcomeCounts(record.plan.rollouts);
-  if (!chosen) return Words(record.plan.reason);
+  if (!chosen) return Capitalized(Words(record.plan.reason));
   const std::string limit = TightestLimit(*chosen, frame);
   return limit.empty() ? driven : driven + ". Tightest limit: " + limit;
 }

@@ -18,15 +18,15 @@ TEST(FitView, ShowsTheWholeMapWithoutPoints) {
 }
 
 TEST(FitView, CropsToThePointsWithAMargin) {
-  // A box of 200 m x 150 m, 16 m margin (8 % of 200 m) on each side: 232 m x 182 m.
+  // A box of 200 m x 150 m, 24 m margin (12 % of 200 m) on each side: 248 m x 198 m.
   const MapView view = FitView(Flat(1001, 1001), {{400, 400}, {600, 550}}, 1000);
-  EXPECT_NEAR(view.pixel_size, 0.232, 1e-12);
-  EXPECT_NEAR(view.north_west.x(), 384, 1e-9);
-  EXPECT_NEAR(view.north_west.y(), 566, 1e-9);
+  EXPECT_NEAR(view.pixel_size, 0.248, 1e-12);
+  EXPECT_NEAR(view.north_west.x(), 376, 1e-9);
+  EXPECT_NEAR(view.north_west.y(), 574, 1e-9);
 }
 
 TEST(FitView, StaysInsideTheMapAndWithinTheAspect) {
-  // 15 m margin: 30 m x 230 m at the east edge, cut to x <= 1000, then widened to a square.
+  // 24 m margin: 48 m x 248 m at the east edge, cut to x <= 1000, then widened to a square.
   const MapView view = FitView(Flat(1001, 1001), {{1000, 400}, {1000, 600}}, 1000);
   EXPECT_EQ(view.height, 1000);
   EXPECT_NEAR(view.north_west.x() + view.width * view.pixel_size, 1000, 1e-9);
