@@ -23,7 +23,10 @@ GDALDatasetUniquePtr Open(const std::string& name) {
   if (name.rfind("/vsi", 0) != 0 && !std::filesystem::exists(path, ignored)) {
     throw InputError(name + ": no such file");
   }
-  throw InputError(name + ": cannot be read as a raster: " + gdal.Reason("format not recognised"));
+  std::string reason = gdal.Reason("format not recognised");
+  // Most of GDAL's messages begin with the name as well.
+  if (reason.rfind(name + ": ", 0) == 0) reason.erase(0, name.size() + 2);
+  throw InputError(name + ": cannot be read as a raster: " + reason);
 }
 
 }  // namespace

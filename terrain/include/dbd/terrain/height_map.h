@@ -19,8 +19,9 @@ class HeightMap {
   struct Grid {
     int columns = 0;
     int rows = 0;
-    Eigen::Vector2d first_center;  ///< W coordinates of the centre of cell (0, 0) [m]
-    Eigen::Vector2d cell_size;     ///< [m], both positive
+    Eigen::Vector2d first_center =
+        Eigen::Vector2d::Zero();  ///< W coordinates of the centre of cell (0, 0) [m]
+    Eigen::Vector2d cell_size = Eigen::Vector2d::Ones();  ///< [m], both positive
 
     Eigen::Vector2d Center(int column, int row) const {
       return first_center + cell_size.cwiseProduct(Eigen::Vector2d(column, row));
