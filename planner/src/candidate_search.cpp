@@ -27,6 +27,7 @@ constexpr const char* kRoadmapName = "roadmap";
 constexpr int kFreeHeadings = 8;
 constexpr int kRoadmapRounds = 3;  // each with twice the nodes of the one before
 constexpr int kWaves = 4;
+constexpr double kLeastYield = 0.25;  // of what a further wave is asked for, to try another
 constexpr int kRrtConnectIterations = 4000;
 constexpr int kProbes = 4;  // of RRTConnect, where the roadmap found nothing
 // Attempts: first solutions of samplers have most to gain.
@@ -86,9 +87,11 @@ std::optional<NoRouteDiagnosis> CandidateSearch::Run(CandidatePool* pool,
   }
   const int wanted = options_.sampling.candidates;
   for (int wave = 0; wave < kWaves && pool->size() < wanted; ++wave) {
+    const int before = pool->size();
     OfferAll(Generate(NextWave(wave, wanted - pool->size())), pool);
     if (progress) progress("sample", pool->size(), wanted);
     if (roadmap_ == nullptr && pool->size() == 0) return DiagnoseBetween();
+    if (wave > 0 && pool->size() - before < kLeastYield * (wanted - before)) break;
   }
   pool->FillUp(wanted);
   if (progress) progress("sample", wanted, wanted);

@@ -54,6 +54,8 @@ Roadmap::Roadmap(const TrafficabilityLayer& layer, double turning_radius, const 
   penalties_.assign(nodes_.size(), 1.0);
 }
 
+Roadmap::~Roadmap() = default;
+
 void Roadmap::SampleNodes(const RoadmapQuery& query, const RoadmapOptions& options) {
   starts_ = static_cast<int>(query.starts.size());
   goals_ = static_cast<int>(query.goals.size());
@@ -86,10 +88,10 @@ void Roadmap::BuildEdges(const RoadmapOptions& options, double area) {
   if (count == 0) return;
   const double spread = std::sqrt(kNodesInDisc * area / (std::numbers::pi * count));
   const double radius = std::max(spread, kLeastReachInRadii * turning_radius_);
-  const NeighbourGrid grid(nodes_, radius);
+  places_ = std::make_unique<NeighbourGrid>(nodes_, radius);
   tbb::parallel_for(0, count, [&](int node) {
     if (IsGoal(node)) return;
-    std::vector<int> nearby = grid.Within(nodes_[node].position(), radius);
+    std::vector<int> nearby = places_->Within(nodes_[node].position(), radius);
     if (IsStart(node)) {
       for (int goal = starts_; goal < starts_ + goals_; ++goal) nearby.push_back(goal);
       std::sort(nearby.begin(), nearby.end());
@@ -185,11 +187,18 @@ std::vector<Pose2> Roadmap::FindRoute() const {
 
 void Roadmap::Penalize(const std::vector<Eigen::Vector2d>& polyline, double width,
                        double strength) {
+  if (starts_ == 0 || goals_ == 0 || polyline.empty()) return;
+  // Only nodes about the polyline's points are measured against all of it.
+  std::vector<char> nearby(nodes_.size(), 0);
+  for (std::size_t i = 0; i < polyline.size(); ++i) {
+    const double segment = i > 0 ? (polyline[i] - polyline[i - 1]).norm() : 0.0;
+    for (const int node : places_->Within(polyline[i], width + segment)) nearby[node] = 1;
+  }
   for (int node = starts_ + goals_; node < node_count(); ++node) {
+    if (!nearby[node]) continue;
     const double distance = DistanceToPolyline(nodes_[node].position(), polyline);
     if (distance < width) penalties_[node] += strength * (1.0 - distance / width);
   }
-  if (starts_ == 0 || goals_ == 0) return;
   // A direct edge has no inner node that could bear the penalty.
   const Eigen::Vector2d middle = 0.5 * (nodes_[0].position() + nodes_[starts_].position());
   const double distance = DistanceToPolyline(middle, polyline);

@@ -5,9 +5,12 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace dbd {
+
+class NeighbourGrid;
 
 struct RoadmapOptions {
   int nodes = 3000;         ///< sampled, besides the ends and the guides
@@ -35,6 +38,9 @@ class Roadmap {
  public:
   Roadmap(const TrafficabilityLayer& layer, double turning_radius, const RoadmapQuery& query,
           const RoadmapOptions& options);
+  ~Roadmap();
+  Roadmap(const Roadmap&) = delete;
+  Roadmap& operator=(const Roadmap&) = delete;
 
   /// Waypoints of the cheapest route from a start to a goal under the present penalties; empty
   /// when there is none.
@@ -67,6 +73,7 @@ class Roadmap {
   int starts_ = 0;  // nodes_: starts, then goals, then guides, then samples
   int goals_ = 0;
   std::vector<Pose2> nodes_;
+  std::unique_ptr<const NeighbourGrid> places_;  // of nodes_; null when there are none
   std::vector<std::vector<Edge>> edges_;
   std::vector<double> penalties_;  // factor per node, 1 = none
   double direct_penalty_ = 1;      // of the edges from a start straight to a goal
