@@ -1,0 +1,105 @@
+#include <dbd/core/path.h>
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <numbers>
+
+#include "support/core_vehicle.h"
+
+namespace dbd {
+namespace {
+
+using Points = std::vector<Eigen::Vector2d>;
+
+// 3 m east, then 4 m north.
+Path Corner() { return Path(Points{{0, 0}, {3, 0}, {3, 4}}); }
+
+Path Circle(double radius, int sides) {
+  Points points;
+  for (int i = 0; i <= sides; ++i) {
+    const double a = 2 * std::numbers::pi * i / sides;
+    points.emplace_back(radius * std::cos(a), radius * std::sin(a));
+  }
+  return Path(points);
+}
+
+TEST(Path, MeasuresLengthAlongItsSegments) {
+  EXPECT_DOUBLE_EQ(Corner().length(), 7);
+  EXPECT_EQ(Path().length(), 0);
+  EXPECT_TRUE(Path().empty());
+  EXPECT_FALSE(Corner().empty());
+}
+
+TEST(Path, PositionAndHeadingFollowTheSegments) {
+  const Path path = Corner();
+  EXPECT_NEAR((path.Position(2) - Eigen::Vector2d(2, 0)).norm(), 0, 1e-15);
+  EXPECT_NEAR((path.Position(5) - Eigen::Vector2d(3, 2)).norm(), 0, 1e-15);
+  EXPECT_DOUBLE_EQ(path.Heading(1), 0);
+  EXPECT_DOUBLE_EQ(path.Heading(6), std::numbers::pi / 2);
+}
+
+TEST(Path, EndSegmentsGoOnStraight) {
+  const Path path = Corner();
+  EXPECT_NEAR((path.Position(-2) - Eigen::Vector2d(-2, 0)).norm(), 0, 1e-15);
+  EXPECT_NEAR((path.Position(9) - Eigen::Vector2d(3, 6)).norm(), 0, 1e-15);
+}
+
+TEST(Path, DropsRepeatedPoints) {
+  const Path path(Points{{0, 0}, {0, 0}, {1, 0}, {1, 0}, {2, 0}});
+  EXPECT_EQ(path.points().size(), 3u);
+  EXPECT_DOUBLE_EQ(path.length(), 2);
+}
+
+TEST(Path, CurvatureOfACircleIsOneOverItsRadius) {
+  // 360 sides of 0.35 m at radius 20: a window of 3 m turns by 3/20 rad, within one side's 1 deg.
+  const Path circle = Circle(20, 360);
+  EXPECT_NEAR(circle.Curvature(30, 1.5), 0.05, 0.05 * 0.12);
+  EXPECT_EQ(Corner().Curvature(1, 0.5), 0);
+}
+
+TEST(Path, CurvatureIsPositiveToTheLeftAndNegativeToTheRight) {
+  EXPECT_GT(Corner().Curvature(3, 1), 0);
+  EXPECT_LT(Path(Points{{0, 0}, {3, 0}, {3, -4}}).Curvature(3, 1), 0);
+  // A quarter turn over the window of 2 m.
+  EXPECT_NEAR(Corner().Curvature(3, 1), std::numbers::pi / 4, 1e-12);
+}
+
+TEST(Path, CurvatureIsContinuousWhereTheHeadingWraps) {
+  // A full circle passes heading +-pi: no window may see a jump of 2 pi.
+  const Path circle = Circle(20, 360);
+  for (double s = 2; s < circle.length() - 2; s += 0.25) {
+    EXPECT_LT(std::abs(circle.Curvature(s, 1.5) - 0.05), 0.01) << s;
+  }
+}
+
+TEST(Path, NearestArcLengthProjectsOntoSegments) {
+  const Path path = Corner();
+  EXPECT_NEAR(path.NearestArcLength({1.5, 0.4}, 0, 7), 1.5, 1e-12);
+  EXPECT_NEAR(path.NearestArcLength({3.3, 2.5}, 0, 7), 5.5, 1e-12);
+  EXPECT_NEAR(path.NearestArcLength({-5, 1}, 0, 7), 0, 1e-12);
+}
+
+TEST(Path, NearestArcLengthSearchesOnlyItsWindow) {
+  // There and back on the same line: the window decides which pass is meant.
+  const Path path(Points{{0, 0}, {10, 0}, {10, 0.001}, {0, 0.001}});
+  EXPECT_NEAR(path.NearestArcLength({4, 0}, 0, 9), 4, 1e-3);
+  EXPECT_NEAR(path.NearestArcLength({4, 0}, 11, 20), 16, 2e-3);
+  EXPECT_NEAR(path.NearestArcLength({4, 0}, 5, 9), 5, 1e-12);
+}
+
+TEST(Path, RefusesTooFewPointsAndBadNumbers) {
+  EXPECT_EQ(InputErrorOf([] { Path(Points{}); }), "path: needs at least two distinct points");
+  EXPECT_EQ(InputErrorOf([] {
+              Path(Points{{1, 1}, {1, 1}});
+            }),
+            "path: needs at least two distinct points");
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(InputErrorOf([&] {
+              Path(Points{{0, 0}, {nan, 1}});
+            }),
+            "path: a point has a coordinate that is not a number");
+}
+
+}  // namespace
+}  // namespace dbd
