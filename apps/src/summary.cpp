@@ -57,10 +57,13 @@ std::string TightestLimit(const Rollout& rollout, const LocalFrame& frame) {
   const LimitMargin* binding = BindingLimit(rollout);
   if (!binding) return "";
   const LimitUnit unit = UnitOfLimit(binding->name);
-  return Format("%s %.*f%s, limit %.*f%s (%.0f %% left), after %.0f m at %s",
-                Words(binding->name).c_str(), unit.decimals, binding->worst * unit.factor,
-                unit.symbol, unit.decimals, binding->limit * unit.factor, unit.symbol,
-                100 * binding->margin, binding->s, DescribePlace(frame, binding->place).c_str());
+  const double percent = 100 * binding->margin;
+  const std::string left =
+      percent >= 0 ? Format("%.0f %% left", percent) : Format("exceeded by %.0f %%", -percent);
+  return Format("%s %.*f%s, limit %.*f%s (%s), after %.0f m at %s", Words(binding->name).c_str(),
+                unit.decimals, binding->worst * unit.factor, unit.symbol, unit.decimals,
+                binding->limit * unit.factor, unit.symbol, left.c_str(), binding->s,
+                DescribePlace(frame, binding->place).c_str());
 }
 
 std::string OutcomeCounts(const std::vector<Rollout>& rollouts) {
