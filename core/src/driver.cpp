@@ -10,22 +10,9 @@ constexpr double kCurvatureWindow = 1.5;  // [m] to each side
 constexpr double kFarAhead = 1e4;         // [m] length of the line driven when there is no path
 constexpr double kStandstill = 0.05;      // [m/s]
 
-/// Longitudinal distance from the turning centre's line to each axle; the line runs through the
-/// middle of the axles that do not steer.
-double FixedAxleX(const VehicleModel& vehicle) {
-  double sum = 0;
-  int count = 0;
-  for (const AxleModel& axle : vehicle.axles) {
-    if (axle.steer_ratio == 0) sum += axle.x, ++count;
-  }
-  if (count > 0) return sum / count;
-  for (const AxleModel& axle : vehicle.axles) sum += axle.x;
-  return sum / static_cast<double>(vehicle.axles.size());
-}
-
 /// The steered axle farthest from the fixed line: the mean steer angle is its angle.
 const AxleModel& LeadingAxle(const VehicleModel& vehicle) {
-  const double x0 = FixedAxleX(vehicle);
+  const double x0 = vehicle.path_point_x();
   const AxleModel* lead = nullptr;
   for (const AxleModel& axle : vehicle.axles) {
     if (axle.steer_ratio == 0) continue;
@@ -37,7 +24,7 @@ const AxleModel& LeadingAxle(const VehicleModel& vehicle) {
 }  // namespace
 
 void AckermannSines(const VehicleModel& vehicle, double steer, double* sines) {
-  const double x0 = FixedAxleX(vehicle);
+  const double x0 = vehicle.path_point_x();
   const double curvature = std::tan(steer) / (LeadingAxle(vehicle).x - x0);
   for (const AxleModel& axle : vehicle.axles) {
     for (const bool left : {true, false}) {
@@ -61,7 +48,7 @@ std::vector<double> AckermannAngles(const VehicleModel& vehicle, double steer) {
 Driver::Driver(const VehicleModel& vehicle, const Path& path, const DriverOptions& options)
     : vehicle_(vehicle), path_(path), options_(options) {
   const AxleModel& lead = LeadingAxle(vehicle);
-  wheelbase_ = lead.x - FixedAxleX(vehicle);
+  wheelbase_ = lead.x - vehicle.path_point_x();
   max_steer_ = lead.max_steer;
   options_.target_speed = std::min(options_.target_speed, vehicle.limits.max_speed);
   options_.curve_acceleration =

@@ -12,17 +12,9 @@ namespace dbd {
 /// Rate at which settling takes motion away [1/s]: about critical for a 2 Hz suspension.
 inline constexpr double kSettlingRate = 15.0;
 
-/// The middle of the axles that do not steer, in the chassis frame: the point that follows a path
-/// without side slip. With all axles steered, their common middle.
+/// The point that follows a path, at the height of the reference frame, in the chassis frame.
 inline Eigen::Vector3d SteeringOrigin(const VehicleModel& vehicle) {
-  double sum = 0, all = 0;
-  int count = 0;
-  for (const AxleModel& axle : vehicle.axles) {
-    all += axle.x;
-    if (axle.steer_ratio == 0) sum += axle.x, ++count;
-  }
-  const double x = count > 0 ? sum / count : all / static_cast<double>(vehicle.axles.size());
-  return Eigen::Vector3d(x, 0, 0) - vehicle.bodies[0].p_RB;
+  return Eigen::Vector3d(vehicle.path_point_x(), 0, 0) - vehicle.bodies[0].p_RB;
 }
 
 /// Least-squares plane z = a + b x + c y through the ground under the wheels, as the attitude that

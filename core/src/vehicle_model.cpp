@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace dbd {
 
@@ -12,10 +13,36 @@ double VehicleModel::total_mass() const {
   return mass;
 }
 
+namespace {
+
+/// Least and largest x of the axles.
+std::pair<double, double> AxleRange(const VehicleModel& vehicle) {
+  const auto [rear, front] =
+      std::minmax_element(vehicle.axles.begin(), vehicle.axles.end(),
+                          [](const auto& a, const auto& b) { return a.x < b.x; });
+  return {rear->x, front->x};
+}
+
+}  // namespace
+
 double VehicleModel::wheelbase() const {
-  const auto [rear, front] = std::minmax_element(
-      axles.begin(), axles.end(), [](const auto& a, const auto& b) { return a.x < b.x; });
-  return front->x - rear->x;
+  const auto [rear, front] = AxleRange(*this);
+  return front - rear;
+}
+
+double VehicleModel::middle_x() const {
+  const auto [rear, front] = AxleRange(*this);
+  return 0.5 * (rear + front);
+}
+
+double VehicleModel::path_point_x() const {
+  double fixed = 0, all = 0;
+  int count = 0;
+  for (const AxleModel& axle : axles) {
+    all += axle.x;
+    if (axle.steer_ratio == 0) fixed += axle.x, ++count;
+  }
+  return count > 0 ? fixed / count : all / static_cast<double>(axles.size());
 }
 
 double VehicleModel::mean_track() const {
@@ -25,18 +52,12 @@ double VehicleModel::mean_track() const {
 }
 
 double VehicleModel::min_turning_radius() const {
-  // Each steered axle turns the vehicle about a centre at its own distance from the fixed axles'
-  // middle; the tightest that all of them can reach counts.
-  double fixed_x = 0;
-  int fixed = 0;
-  for (const AxleModel& axle : axles) {
-    if (axle.steer_ratio == 0) fixed_x += axle.x, ++fixed;
-  }
-  if (fixed > 0) fixed_x /= fixed;
+  // Each steered axle turns the vehicle about a centre beside the path point; the tightest circle
+  // that all of them can follow counts.
   double radius = 0;
   for (const AxleModel& axle : axles) {
     if (axle.steer_ratio == 0) continue;
-    radius = std::max(radius, std::abs(axle.x - fixed_x) / std::tan(axle.max_steer));
+    radius = std::max(radius, std::abs(axle.x - path_point_x()) / std::tan(axle.max_steer));
   }
   constexpr double kControlReserve = 1.15;  // pure pursuit must be able to correct on a full turn
   return radius > 0 ? kControlReserve * radius : std::numeric_limits<double>::infinity();

@@ -33,7 +33,13 @@ TrafficabilityLayer::TrafficabilityLayer(const Terrain& terrain, const VehicleMo
       options_(options),
       max_speed_(std::min(max_speed, vehicle.limits.max_speed)),
       half_wheelbase_(0.5 * vehicle.wheelbase()),
+      half_track_(0.5 * vehicle.mean_track()),
+      middle_ahead_(vehicle.middle_x() - vehicle.path_point_x()),
+      box_center_ahead_(0.5 * (vehicle.outline.front - vehicle.outline.rear)),
       outline_(vehicle.outline) {
+  if (!vehicle.bodies.empty()) {
+    box_center_ahead_ += vehicle.bodies[0].p_RB.x() - vehicle.middle_x();
+  }
   options.Validate();
   const double widened = 1.0 + options.tolerance;
   const VehicleLimits& limits = vehicle.limits;
@@ -53,6 +59,7 @@ TrafficabilityLayer::TrafficabilityLayer(const Terrain& terrain, const VehicleMo
   const double ramp = 0.5 * limits_.slope * resolution_;
   FillCells(half_footprint, (SmallestWheelRadius(vehicle) + ramp) * widened);
   MarkNearObstacles();
+  MarkNearImpassable();
 }
 
 void TrafficabilityLayer::LayOutGrid(const HeightMap& heights, double half_footprint) {
@@ -144,10 +151,23 @@ void TrafficabilityLayer::MarkNearObstacles() {
   const double reach =
       std::hypot(std::max(outline_.front, outline_.rear) + margin, outline_.half_width + margin) +
       0.5 * grid.cell_size.norm() + resolution_;
-  const int half_window = static_cast<int>(std::ceil(reach / resolution_));
-  marks = Dilate(marks, columns_, rows_, half_window);
+  FlagAround(std::move(marks), reach, kNearObstacle);
+}
+
+void TrafficabilityLayer::MarkNearImpassable() {
+  std::vector<std::uint8_t> marks(cells_.size());
+  std::transform(cells_.begin(), cells_.end(), marks.begin(), [](const Cell& cell) {
+    return cell.reason == NoGoReason::kImpassableMaterial ? std::uint8_t{1} : std::uint8_t{0};
+  });
+  FlagAround(std::move(marks), std::hypot(half_wheelbase_, half_track_) + 2 * resolution_,
+             kNearImpassable);
+}
+
+void TrafficabilityLayer::FlagAround(std::vector<std::uint8_t> marks, double reach,
+                                     std::uint8_t flag) {
+  marks = Dilate(marks, columns_, rows_, static_cast<int>(std::ceil(reach / resolution_)));
   for (std::size_t i = 0; i < cells_.size(); ++i) {
-    if (marks[i]) cells_[i].flags |= kNearObstacle;
+    if (marks[i]) cells_[i].flags |= flag;
   }
 }
 

@@ -78,9 +78,13 @@ CellVerdict TrafficabilityLayer::EvaluateAnyHeading(double x, double y) const {
 }
 
 CellVerdict TrafficabilityLayer::Evaluate(double x, double y, double heading) const {
+  const double cos_h = std::cos(heading);
+  const double sin_h = std::sin(heading);
+  x += middle_ahead_ * cos_h;
+  y += middle_ahead_ * sin_h;
   const Cell* cell = CellAt(x, y);
   if (cell == nullptr) return {NoGoReason::kOutsideMap};
-  return {Judge(*cell, x, y, std::cos(heading), std::sin(heading))};
+  return {Judge(*cell, x, y, cos_h, sin_h)};
 }
 
 NoGoReason TrafficabilityLayer::Judge(const Cell& cell, double x, double y, double cos_h,
@@ -96,7 +100,23 @@ NoGoReason TrafficabilityLayer::Judge(const Cell& cell, double x, double y, doub
   if ((cell.flags & kNearObstacle) && HitsObstacle(x, y, cos_h, sin_h)) {
     return NoGoReason::kObstacle;
   }
+  if ((cell.flags & kNearImpassable) && WheelIsOnImpassable(x, y, cos_h, sin_h)) {
+    return NoGoReason::kImpassableMaterial;
+  }
   return NoGoReason::kNone;
+}
+
+/// Looks at the tracks' outer edges, before, beside and behind the vehicle's middle.
+bool TrafficabilityLayer::WheelIsOnImpassable(double x, double y, double cos_h,
+                                              double sin_h) const {
+  const double across = half_track_ + options_.obstacle_margin;
+  for (const double along : {-half_wheelbase_, 0.0, half_wheelbase_}) {
+    for (const double side : {-across, across}) {
+      const Cell* cell = CellAt(x + along * cos_h - side * sin_h, y + along * sin_h + side * cos_h);
+      if (cell != nullptr && cell->reason == NoGoReason::kImpassableMaterial) return true;
+    }
+  }
+  return false;
 }
 
 bool TrafficabilityLayer::BellyTouches(double x, double y, double cos_h, double sin_h) const {
@@ -110,8 +130,7 @@ bool TrafficabilityLayer::BellyTouches(double x, double y, double cos_h, double 
 }
 
 bool TrafficabilityLayer::HitsObstacle(double x, double y, double cos_h, double sin_h) const {
-  const double ahead = 0.5 * (outline_.front - outline_.rear);
-  const Eigen::Vector2d center(x + ahead * cos_h, y + ahead * sin_h);
+  const Eigen::Vector2d center(x + box_center_ahead_ * cos_h, y + box_center_ahead_ * sin_h);
   const double margin = options_.obstacle_margin;
   const Eigen::Vector2d half_extents(0.5 * (outline_.front + outline_.rear) + margin,
                                      outline_.half_width + margin);
@@ -129,10 +148,12 @@ double TrafficabilityLayer::UsedShare(const Cell& cell, double grade, double sid
 }
 
 double TrafficabilityLayer::SecondsPerMetre(double x, double y, double heading) const {
-  const Cell* cell = CellAt(x, y);
-  if (cell == nullptr || cell->reason != NoGoReason::kNone) return kInfinity;
   const double cos_h = std::cos(heading);
   const double sin_h = std::sin(heading);
+  x += middle_ahead_ * cos_h;
+  y += middle_ahead_ * sin_h;
+  const Cell* cell = CellAt(x, y);
+  if (cell == nullptr || cell->reason != NoGoReason::kNone) return kInfinity;
   if (Judge(*cell, x, y, cos_h, sin_h) != NoGoReason::kNone) return kInfinity;
   const double grade = cell->grade_x * cos_h + cell->grade_y * sin_h;
   const double side_slope = cell->grade_y * cos_h - cell->grade_x * sin_h;

@@ -167,6 +167,10 @@ struct VehicleModel {
 
   double total_mass() const;
   double wheelbase() const;  ///< foremost to rearmost axle
+  double middle_x() const;   ///< half-way between them, in the reference frame
+  /// The point that follows a path: the middle of the axles that do not steer (of all axles when
+  /// all steer), in the reference frame.
+  double path_point_x() const;
   double mean_track() const;
   /// Of the path of the rear axle's middle at full steer, plus a reserve for control [m].
   double min_turning_radius() const;

@@ -71,7 +71,8 @@ class TrafficabilityLayer {
   TrafficabilityLayer(const Terrain& terrain, const VehicleModel& vehicle, double max_speed,
                       const TrafficabilityOptions& options = {});
 
-  /// Go or no-go of the vehicle's reference point at x, y [m, W] with a heading [rad].
+  /// Go or no-go with the vehicle's path point (`VehicleModel::path_point_x`) at x, y [m, W] and a
+  /// heading [rad]. What is looked at is the ground under the vehicle's middle, which lies ahead.
   CellVerdict Evaluate(double x, double y, double heading) const;
 
   /// What speaks against the place whatever the heading; obstacles are not looked up.
@@ -103,7 +104,8 @@ class TrafficabilityLayer {
     std::uint8_t flags = 0;
   };
   static constexpr std::uint8_t kNearObstacle = 1;
-  static constexpr std::uint8_t kRugged = 2;  // the belly could touch: look at the heights
+  static constexpr std::uint8_t kRugged = 2;          // the belly could touch: look at the heights
+  static constexpr std::uint8_t kNearImpassable = 4;  // look where the wheels stand
 
   // What a material means to the vehicle.
   struct Footing {
@@ -122,6 +124,9 @@ class TrafficabilityLayer {
   void LayOutGrid(const HeightMap& heights, double half_footprint);
   void FillCells(double half_footprint, double step_limit);
   void MarkNearObstacles();
+  void MarkNearImpassable();
+  /// Dilates `marks` by `reach` [m] and sets `flag` in the cells that are marked then.
+  void FlagAround(std::vector<std::uint8_t> marks, double reach, std::uint8_t flag);
   Footing FootingOn(const VehicleModel& vehicle, const Material& material) const;
   std::uint8_t MaterialIndexAt(double x, double y) const;
 
@@ -130,11 +135,15 @@ class TrafficabilityLayer {
   double UsedShare(const Cell& cell, double grade, double side_slope) const;
   bool BellyTouches(double x, double y, double cos_h, double sin_h) const;
   bool HitsObstacle(double x, double y, double cos_h, double sin_h) const;
+  bool WheelIsOnImpassable(double x, double y, double cos_h, double sin_h) const;
 
   const Terrain* terrain_;
   TrafficabilityOptions options_;
   double max_speed_;
   double half_wheelbase_;
+  double half_track_;
+  double middle_ahead_;      // of the path point
+  double box_center_ahead_;  // of the vehicle's middle
   double crest_limit_;
   VehicleOutline outline_;
   Bounds limits_;
