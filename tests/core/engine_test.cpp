@@ -1,0 +1,131 @@
+#include "engine.h"
+
+#include <dbd/core/scenario.h>
+#include <gtest/gtest.h>
+
+#include "support/core_engine.h"
+#include "support/core_vehicle.h"
+
+namespace dbd {
+namespace {
+
+/// The TM27 without dampers, far above the ground and without gravity: nothing takes energy.
+VehicleModel Undamped() {
+  VehicleModel v = Tm27();
+  for (LinkModel& link : v.links) link.damping = 0;
+  for (SpringModel& spring : v.springs) spring.damping = 0;
+  for (AxisJointModel& joint : v.joints) joint.damping = 0;
+  return v;
+}
+
+class FreeVehicle {
+ public:
+  FreeVehicle() : vehicle(Undamped()), ground(MakePlaneGround(0, 0)), scene(vehicle, *ground) {
+    scene.engine.gravity = 0;
+    for (BodyState<double>& b : scene.state.bodies) b.p_WB.z += 1000;
+  }
+
+  double Energy() const {
+    return KineticEnergy(vehicle, scene.state) + ElasticEnergy(vehicle, scene.state);
+  }
+
+  /// Mean of the energy over the next `time` seconds.
+  double MeanEnergy(double time) {
+    double sum = 0;
+    const auto steps = std::lround(time / scene.engine.step);
+    for (long i = 0; i < steps; ++i) {
+      scene.Step();
+      sum += Energy();
+    }
+    return sum / static_cast<double>(steps);
+  }
+
+  Eigen::Vector3d Momentum() const {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < vehicle.bodies.size(); ++i) {
+      sum += vehicle.bodies[i].mass * ToEigen(scene.state.bodies[i].v_WB);
+    }
+    return sum;
+  }
+
+  VehicleModel vehicle;
+  std::shared_ptr<const Ground> ground;
+  EngineScene scene;
+};
+
+// The released springs (53 J and 33 J each) and the pushes make it bounce, pitch, roll and turn.
+TEST(Engine, EnergyOfTheFreeUndampedVehicleDoesNotDrift) {
+  FreeVehicle free;
+  BodyState<double>& chassis = free.scene.state.bodies[0];
+  chassis.v_WB = {0, 0, 0.3};
+  SetAngularVelocity(free.vehicle.bodies[0], {0.3, 0.2, 0.1}, chassis);
+  const double first = free.MeanEnergy(2);
+  free.MeanEnergy(26);
+  const double last = free.MeanEnergy(2);
+  EXPECT_GT(first, 100);
+  EXPECT_LT(std::abs(last / first - 1), 1e-3);
+}
+
+TEST(Engine, MomentaOfTheFreeVehicleAreKept) {
+  FreeVehicle free;
+  free.scene.state.bodies[0].v_WB = {1, 0.5, 0.3};
+  SetAngularVelocity(free.vehicle.bodies[0], {0.3, 0.2, 0.1}, free.scene.state.bodies[0]);
+  const Eigen::Vector3d before = free.Momentum();
+  free.MeanEnergy(5);
+  EXPECT_LT((free.Momentum() - before).norm(), 1e-8);
+}
+
+TEST(Engine, InternalForcesHaveNoResultant) {
+  FreeVehicle free;
+  free.MeanEnergy(0.3);
+  free.scene.Evaluate();
+  Eigen::Vector3d force = Eigen::Vector3d::Zero(), moment = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < free.vehicle.bodies.size(); ++i) {
+    const Eigen::Vector3d f = ToEigen(free.scene.work.wrench[i].f_W);
+    force += f;
+    moment +=
+        ToEigen(free.scene.work.wrench[i].t_W) + ToEigen(free.scene.state.bodies[i].p_WB).cross(f);
+  }
+  EXPECT_LT(force.norm(), 1e-9);
+  EXPECT_LT(moment.norm(), 1e-6);  // levers of 1000 m
+}
+
+TEST(Engine, DampersTakeTheEnergyAway) {
+  FreeVehicle free;
+  free.vehicle.springs = Tm27().springs;
+  free.vehicle.links = Tm27().links;
+  free.vehicle.joints = Tm27().joints;
+  double last = free.MeanEnergy(1);
+  for (int i = 0; i < 5; ++i) {
+    const double next = free.MeanEnergy(1);
+    EXPECT_LE(next, last * (1 + 1e-9));
+    last = next;
+  }
+}
+
+TEST(Engine, GroupsRunAtTheirOwnRates) {
+  VehicleModel v = Tm27();
+  v.steps = {1e-3, 3e-3, 6e-3, 12e-3};
+  const EngineModel engine(v);
+  EXPECT_EQ(engine.step, 1e-3);
+  EXPECT_EQ(engine.spring_every, 3);
+  EXPECT_EQ(engine.tire_every, 6);
+  EXPECT_EQ(engine.control_every, 12);
+}
+
+TEST(Engine, ContactIsSampledAtTheTireRateOnly) {
+  VehicleModel v = Tm27();
+  v.steps = {2e-3, 2e-3, 4e-3, 4e-3};
+  const auto ground = MakePlaneGround(0, 0);
+  EngineScene scene(v, *ground);
+  scene.Step();
+  const Vec3<double> sampled = scene.state.wheels[0].contact.p_WH;
+  scene.state.bodies[1].p_WB.x += 0.1;
+  scene.Step();  // odd step: held
+  EXPECT_EQ(scene.state.wheels[0].contact.p_WH.x, sampled.x);
+  scene.Step();
+  EXPECT_NE(scene.state.wheels[0].contact.p_WH.x, sampled.x);
+}
+
+}  // namespace
+}  // namespace dbd
