@@ -7,6 +7,7 @@
 
 #include "body_motion.h"
 #include "elements.h"
+#include "point_contact.h"
 #include "tire_group.h"
 
 namespace dbd {
@@ -33,18 +34,18 @@ struct EngineModel {
   int control_every = 1;
 };
 
-/// All forces on all bodies at the present time, into work.wrench; spins and slips advance.
 template <class Real>
-void EvaluateForces(const EngineModel& engine, const Ground& ground,
-                    const WheelControls<Real>& controls, EngineState<Real>& state,
-                    Workspace<Real>& work) {
-  const VehicleModel& model = *engine.vehicle;
-  for (std::size_t i = 0; i < model.bodies.size(); ++i) {
+void LocateBodies(const EngineState<Real>& state, Workspace<Real>& work) {
+  for (std::size_t i = 0; i < state.bodies.size(); ++i) {
     work.R_WB[i] = RotationMatrix(state.bodies[i].q_WB);
   }
-  if (state.step % engine.tire_every == 0) {
-    SampleContacts(model, engine.patterns, ground, controls, work, state);
-  }
+}
+
+/// Forces between bodies, into work.wrench; springs are held between their updates.
+template <class Real>
+void SetElementForces(const EngineModel& engine, const WheelControls<Real>& controls,
+                      const EngineState<Real>& state, Workspace<Real>& work) {
+  const VehicleModel& model = *engine.vehicle;
   if (state.step % engine.spring_every == 0) {
     for (Wrench<Real>& wrench : work.spring_wrench) wrench.Clear();
     AddSpringForces(model, state, work, work.spring_wrench);
@@ -52,6 +53,19 @@ void EvaluateForces(const EngineModel& engine, const Ground& ground,
   work.wrench = work.spring_wrench;
   AddLinkForces(model, state, work);
   AddJointTorques(model, controls, state, work);
+}
+
+/// All forces on all bodies at the present time, into work.wrench; spins and slips advance.
+template <class Real>
+void EvaluateForces(const EngineModel& engine, const Ground& ground,
+                    const WheelControls<Real>& controls, EngineState<Real>& state,
+                    Workspace<Real>& work) {
+  const VehicleModel& model = *engine.vehicle;
+  LocateBodies(state, work);
+  const bool sample_ground = state.step % engine.tire_every == 0;
+  if (sample_ground) SampleContacts(model, engine.patterns, ground, controls, work, state);
+  SetElementForces(engine, controls, state, work);
+  AddContactsAndLoads(model, ground, engine.step, sample_ground, state, work);
   AddTireForces(model, controls, engine.step, state, work);
 }
 

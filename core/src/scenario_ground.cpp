@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "node_grid.h"
+
 namespace dbd {
 namespace {
 
@@ -33,9 +35,11 @@ class ShapedGround : public Ground {
 
 class BumpGround final : public ShapedGround<BumpGround> {
  public:
-  BumpGround(double x, double radius) : x_(x), radius_(radius) {}
+  BumpGround(double x, double radius, TrackSide side) : x_(x), radius_(radius), side_(side) {}
 
-  double HeightAt(double x, double) const {
+  double HeightAt(double x, double y) const {
+    if (side_ == TrackSide::kLeft && y < 0) return 0;
+    if (side_ == TrackSide::kRight && y > 0) return 0;
     const double d2 = radius_ * radius_ - (x - x_) * (x - x_);
     return d2 > 0 ? std::sqrt(d2) : 0;
   }
@@ -46,6 +50,7 @@ class BumpGround final : public ShapedGround<BumpGround> {
  private:
   double x_;
   double radius_;
+  TrackSide side_;
 };
 
 class SineGround final : public ShapedGround<SineGround> {
@@ -79,53 +84,42 @@ double NodeValue(std::int64_t ix, std::int64_t iy, std::uint64_t seed) {
   return static_cast<double>((h ^ (h >> 31)) >> 11) * 0x1.0p-53;
 }
 
-/// Nodes are drawn once for a strip wide and long enough for the drives; beyond it the edge goes
-/// on.
-class RandomGround final : public ShapedGround<RandomGround> {
+/// Heights at the nodes of a square grid, bilinear; beyond it the edge goes on.
+class GridGround final : public ShapedGround<GridGround> {
  public:
-  RandomGround(double begin, double amplitude, double spacing, std::uint64_t seed)
-      : spacing_(spacing), inverse_(1 / spacing) {
-    nodes_.resize(static_cast<std::size_t>(kColumns) * kRows);
-    for (int iy = 0; iy < kRows; ++iy) {
-      for (int ix = 0; ix < kColumns; ++ix) {
-        const bool level = (ix + kFirstColumn) * spacing < begin;
-        nodes_[Index(ix, iy)] = level ? 0 : amplitude * NodeValue(ix, iy, seed);
-      }
-    }
-  }
+  GridGround(const NodeGrid& grid) : grid_(grid), inverse_(1 / grid.spacing) {}
 
   double HeightAt(double x, double y) const {
-    const double u = std::clamp(x * inverse_ - kFirstColumn, 0.0, kColumns - 1.001);
-    const double v = std::clamp(y * inverse_ - kFirstRow, 0.0, kRows - 1.001);
+    const double u = std::clamp((x - grid_.x0) * inverse_, 0.0, grid_.columns - 1.001);
+    const double v = std::clamp((y - grid_.y0) * inverse_, 0.0, grid_.rows - 1.001);
     const int ix = static_cast<int>(u), iy = static_cast<int>(v);
     const double fx = u - ix, fy = v - iy;
-    const double* n = &nodes_[Index(ix, iy)];
-    const double south = n[0] + fx * (n[1] - n[0]);
-    const double north = n[kColumns] + fx * (n[kColumns + 1] - n[kColumns]);
+    const double* south_nodes = &grid_.heights[grid_.Index(ix, iy)];
+    const double* north_nodes = south_nodes + grid_.columns;
+    const double south = south_nodes[0] + fx * (south_nodes[1] - south_nodes[0]);
+    const double north = north_nodes[0] + fx * (north_nodes[1] - north_nodes[0]);
     return south + fy * (north - south);
   }
+
   double HighestAt(double x, double y, double reach) const {
-    const auto column = [&](double a) { return Cell(a * inverse_ - kFirstColumn, kColumns); };
-    const auto row = [&](double a) { return Cell(a * inverse_ - kFirstRow, kRows); };
-    double highest = 0;
-    for (int iy = row(y - reach); iy <= row(y + reach) + 1; ++iy) {
-      for (int ix = column(x - reach); ix <= column(x + reach) + 1; ++ix) {
-        highest = std::max(highest, nodes_[Index(ix, iy)]);
+    const auto cell = [&](double u, int count) {
+      return static_cast<int>(std::clamp(u * inverse_, 0.0, count - 2.0));
+    };
+    const int first = cell(x - reach - grid_.x0, grid_.columns);
+    const int last = cell(x + reach - grid_.x0, grid_.columns) + 1;
+    const int north = cell(y + reach - grid_.y0, grid_.rows) + 1;
+    double highest = grid_.heights[grid_.Index(first, north)];
+    for (int iy = cell(y - reach - grid_.y0, grid_.rows); iy <= north; ++iy) {
+      for (int ix = first; ix <= last; ++ix) {
+        highest = std::max(highest, grid_.heights[grid_.Index(ix, iy)]);
       }
     }
     return highest;
   }
 
  private:
-  static constexpr int kColumns = 512, kRows = 64, kFirstColumn = -32, kFirstRow = -32;
-
-  static std::size_t Index(int ix, int iy) {
-    return static_cast<std::size_t>(iy) * kColumns + static_cast<std::size_t>(ix);
-  }
-  static int Cell(double u, int count) { return static_cast<int>(std::clamp(u, 0.0, count - 2.0)); }
-
-  double spacing_, inverse_;
-  std::vector<double> nodes_;
+  NodeGrid grid_;
+  double inverse_;
 };
 
 class PlaneGround final : public ShapedGround<PlaneGround> {
@@ -146,8 +140,8 @@ class PlaneGround final : public ShapedGround<PlaneGround> {
 
 }  // namespace
 
-std::shared_ptr<const Ground> MakeBumpGround(double x, double radius) {
-  return std::make_shared<BumpGround>(x, radius);
+std::shared_ptr<const Ground> MakeBumpGround(double x, double radius, TrackSide side) {
+  return std::make_shared<BumpGround>(x, radius, side);
 }
 
 std::shared_ptr<const Ground> MakeSineGround(double x_begin, double x_end, double amplitude,
@@ -157,7 +151,19 @@ std::shared_ptr<const Ground> MakeSineGround(double x_begin, double x_end, doubl
 
 std::shared_ptr<const Ground> MakeRandomGround(double x_begin, double amplitude, double spacing,
                                                std::uint64_t seed) {
-  return std::make_shared<RandomGround>(x_begin, amplitude, spacing, seed);
+  // A strip wide and long enough for the drives.
+  NodeGrid grid{512, 64, -32 * spacing, -32 * spacing, spacing, {}};
+  for (int iy = 0; iy < grid.rows; ++iy) {
+    for (int ix = 0; ix < grid.columns; ++ix) {
+      const bool level = grid.x0 + ix * spacing < x_begin;
+      grid.heights.push_back(level ? 0 : amplitude * NodeValue(ix, iy, seed));
+    }
+  }
+  return MakeGridGround(grid);
+}
+
+std::shared_ptr<const Ground> MakeGridGround(const NodeGrid& grid) {
+  return std::make_shared<GridGround>(grid);
 }
 
 std::shared_ptr<const Ground> MakePlaneGround(double grade_x, double grade_y,

@@ -4,7 +4,9 @@
 #include <cstring>
 
 #include "engine.h"
+#include "guide_force.h"
 #include "initial_state.h"
+#include "vertical_tire.h"
 
 namespace dbd {
 namespace {
@@ -16,11 +18,12 @@ constexpr double kTornLink = 0.2;  // [m]
 }  // namespace
 
 struct Simulation::Impl {
-  Impl(const VehicleModel& model, const Ground& surface)
-      : vehicle(model), ground(surface), engine(model), work(model) {}
+  Impl(const VehicleModel& model, const Ground& surface, const SimulationOptions& simulation)
+      : vehicle(model), ground(surface), options(simulation), engine(model), work(model) {}
 
   const VehicleModel& vehicle;
   const Ground& ground;
+  SimulationOptions options;
   EngineModel engine;
   EngineState<double> state;
   Workspace<double> work;
@@ -31,7 +34,15 @@ struct Simulation::Impl {
 
   double Time() const { return static_cast<double>(state.step) * engine.step; }
 
-  void Step() { StepEngine(engine, ground, controls, state, work); }
+  void Step() {
+    if (options.tire == TireKind::kFull && !options.guide) {
+      StepEngine(engine, ground, controls, state, work);
+    } else {
+      StepOnRig();
+    }
+  }
+
+  void StepOnRig();
 
   /// Braking by the engine gives nothing back.
   void AddEnergy() {
@@ -69,8 +80,23 @@ void Simulation::Impl::SetControls(const DriverCommand& command, double dt) {
   }
 }
 
-Simulation::Simulation(const VehicleModel& vehicle, const Ground& ground)
-    : impl_(std::make_unique<Impl>(vehicle, ground)) {}
+/// The step of comparisons: another tire, or forces of a test rig.
+void Simulation::Impl::StepOnRig() {
+  if (options.tire == TireKind::kVerticalDisc) {
+    LocateBodies(state, work);
+    SetElementForces(engine, controls, state, work);
+    AddDiscForces(vehicle, ground, state, work);
+  } else {
+    EvaluateForces(engine, ground, controls, state, work);
+  }
+  if (options.guide) AddGuideForces(*options.guide, Time(), state, work);
+  IntegrateBodies(vehicle, engine.gravity, engine.step, work, state);
+  ++state.step;
+}
+
+Simulation::Simulation(const VehicleModel& vehicle, const Ground& ground,
+                       const SimulationOptions& options)
+    : impl_(std::make_unique<Impl>(vehicle, ground, options)) {}
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 

@@ -48,8 +48,12 @@ class ScenarioDriver {
   DriverState state_;
 };
 
-/// A half cylinder across the way on level ground.
-std::shared_ptr<const Ground> MakeBumpGround(double x, double radius);
+/// Which wheels an obstacle lies before.
+enum class TrackSide { kBoth, kLeft, kRight };
+
+/// A half cylinder across the way on level ground, under one track or both.
+std::shared_ptr<const Ground> MakeBumpGround(double x, double radius,
+                                             TrackSide side = TrackSide::kBoth);
 
 /// amplitude * sin(2 pi (x - x_begin) / wavelength) between x_begin and x_end, level elsewhere.
 std::shared_ptr<const Ground> MakeSineGround(double x_begin, double x_end, double amplitude,
@@ -59,6 +63,11 @@ std::shared_ptr<const Ground> MakeSineGround(double x_begin, double x_end, doubl
 /// level for x < x_begin.
 std::shared_ptr<const Ground> MakeRandomGround(double x_begin, double amplitude, double spacing,
                                                std::uint64_t seed);
+
+/// Heights from a text file, bilinear, the edge continued: a first line
+/// "# x0=... y0=... d=... nx=... ny=..." (nodes d apart from x0, y0 on), then one line per x with
+/// ny heights separated by commas, y ascending. Throws InputError that names file and line.
+std::shared_ptr<const Ground> ReadGridGround(const std::string& file);
 
 /// A plane through the origin with these grades dz/dx, dz/dy [-], of one soil.
 std::shared_ptr<const Ground> MakePlaneGround(double grade_x, double grade_y,

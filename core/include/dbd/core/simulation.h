@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace dbd {
@@ -40,13 +41,36 @@ struct ChassisView {
   double forward_speed = 0;
 };
 
+/// How tires meet the ground.
+enum class TireKind {
+  kFull,          ///< three planes, Brixius, lateral force: the vehicle's own
+  kVerticalDisc,  ///< vertical force only, for comparison with other multibody programs
+};
+
+/// A test rig instead of engine and steering, for comparison with other multibody programs: forces
+/// on the chassis' centre of mass that hold it on y = 0 and pull it along x.
+struct GuideForces {
+  double target_speed = 0;        ///< [m/s]
+  double standing_time = 2;       ///< [s]
+  double acceleration = 2;        ///< [m/s^2] of the wanted speed
+  double speed_gain = 5000;       ///< [N s/m]
+  double side_stiffness = 20000;  ///< [N/m] sideways and [N m/rad] in yaw
+  double side_damping = 10000;    ///< [N s/m] and [N m s/rad]
+};
+
+struct SimulationOptions {
+  TireKind tire = TireKind::kFull;
+  std::optional<GuideForces> guide;
+};
+
 /// One vehicle driving on one ground, in double precision: the reference of the engine and the
 /// simplest way to use it. Not safe to share between threads; vehicle and ground are only read and
 /// may be shared by any number of simulations.
 class Simulation {
  public:
   /// Both must outlive the simulation.
-  Simulation(const VehicleModel& vehicle, const Ground& ground);
+  Simulation(const VehicleModel& vehicle, const Ground& ground,
+             const SimulationOptions& options = {});
   ~Simulation();
   Simulation(Simulation&&) noexcept;
 
