@@ -1,5 +1,6 @@
 #pragma once
 
+#include "curve.h"
 #include "engine_state.h"
 
 namespace dbd {
@@ -44,6 +45,35 @@ void AddLinkForces(const VehicleModel& model, const EngineState<Real>& state,
   }
 }
 
+/// What the bump stops add to a spring's push; `rate`: of its length.
+template <class Real>
+Real StopForce(const BumpStopModel& stop, const Real& length, const Real& rate) {
+  using S = ScalarOf<Real>;
+  const Real zero(0);
+  const auto push = [&](const Real& squeezed, const Real& squeezing) {
+    const Real u = Max(squeezed, zero);
+    const double bend = stop.progression > 0 ? 0.5 / stop.progression : 0;
+    const Real elastic = Real(S(stop.stiffness)) * u * (Real(1) + Real(S(bend)) * u);
+    return Clamp(elastic + Real(S(stop.damping)) * squeezing, zero, Real(2) * elastic);
+  };
+  return push(Real(S(stop.shortest_length)) - length, Real(-1) * rate) -
+         push(length - Real(S(stop.longest_length)), rate);
+}
+
+/// Spring and damper along the strut, compression positive.
+template <class Real>
+Real StrutForce(const SpringModel& spring, const Real& length, const Real& rate) {
+  using S = ScalarOf<Real>;
+  const Real deflection = Real(S(spring.free_length)) - length;
+  const Real elastic = spring.force_curve.given() ? EvaluateCurve(spring.force_curve, deflection)
+                                                  : Real(S(spring.stiffness)) * deflection;
+  const Real viscous = spring.damping_curve.given()
+                           ? EvaluateCurve(spring.damping_curve, Real(-1) * rate)
+                           : Real(S(-spring.damping)) * rate;
+  if (spring.bump_stop.stiffness == 0) return elastic + viscous;
+  return elastic + viscous + StopForce(spring.bump_stop, length, rate);
+}
+
 /// Suspension springs and shock absorbers, shared between pivot and wheel body by the lever.
 template <class Real>
 void AddSpringForces(const VehicleModel& model, const EngineState<Real>& state,
@@ -61,8 +91,7 @@ void AddSpringForces(const VehicleModel& model, const EngineState<Real>& state,
     const Vec3<Real> rate = g * pivot.v + f * ball.v - top.v;
     const Real length = Norm(d);
     const Vec3<Real> direction = (Real(1) / length) * d;
-    const Real push = Real(S(spring.stiffness)) * (Real(S(spring.free_length)) - length) -
-                      Real(S(spring.damping)) * Dot(rate, direction);
+    const Real push = StrutForce(spring, length, Dot(rate, direction));
     const Vec3<Real> force = push * direction;
     wrench[spring.body_a].Add(Real(-1) * force, top.lever);
     wrench[spring.body_a].Add(g * force, pivot.lever);

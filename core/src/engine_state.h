@@ -44,11 +44,21 @@ struct WheelState {
   TireContact<Real> contact;
 };
 
+/// A body point's contact: the ground's tangent plane when last sampled, and the bristle.
+template <class Real>
+struct PointContactState {
+  Vec3<Real> normal_W;
+  Vec3<Real> p_WG;       // on the ground under the point
+  Vec3<Real> bristle_W;  // elastic displacement along the ground [m]
+};
+
 template <class Real>
 struct EngineState {
   std::vector<BodyState<Real>> bodies;
   std::vector<WheelState<Real>> wheels;
-  std::int64_t step = 0;  // construction steps since the start
+  std::vector<PointContactState<Real>> contacts;  // like model.contacts
+  std::vector<Real> frictions;                    // elastic displacement [m] or [rad]
+  std::int64_t step = 0;                          // construction steps since the start
 };
 
 /// What driver and powertrain ask of the wheels, held between control steps.
@@ -92,6 +102,8 @@ struct Workspace {
   std::vector<Real> spring_force;           // compression positive [N]
   std::vector<Real> link_force;             // tension positive [N]
   std::vector<TireReport<Real>> tires;
+  std::vector<Real> contact_force;   // normal [N]
+  std::vector<Real> friction_force;  // [N] or [N m]
 
   explicit Workspace(const VehicleModel& model)
       : R_WB(model.bodies.size()),
@@ -99,7 +111,9 @@ struct Workspace {
         spring_wrench(model.bodies.size()),
         spring_force(model.springs.size()),
         link_force(model.links.size()),
-        tires(model.wheels.size()) {}
+        tires(model.wheels.size()),
+        contact_force(model.contacts.size()),
+        friction_force(model.frictions.size()) {}
 };
 
 }  // namespace dbd

@@ -64,6 +64,8 @@ EngineState<Real> InitialState(const VehicleModel& vehicle, const Ground& ground
     b.q_WB = {Real(S(q.w())), Real(S(q.x())), Real(S(q.y())), Real(S(q.z()))};
     state.bodies.push_back(b);
   }
+  state.contacts.assign(vehicle.contacts.size(), {});
+  state.frictions.assign(vehicle.frictions.size(), Real(0));
   state.wheels.resize(vehicle.wheels.size());
   for (WheelState<Real>& wheel : state.wheels) {
     wheel = {};

@@ -3,11 +3,6 @@
 namespace dbd {
 namespace {
 
-/// Mirrors left-side geometry to the right when `side` is -1.
-Eigen::Vector3d OnSide(const Eigen::Vector3d& left, double side) {
-  return {left.x(), side * left.y(), left.z()};
-}
-
 void AddLinks(const IndependentSuspension& suspension, const Eigen::Vector3d& p_RB_chassis,
               double side, int carrier, const std::string& prefix, VehicleModel& vehicle) {
   for (const IndependentSuspension::Link& link : suspension.links) {
@@ -20,21 +15,6 @@ void AddLinks(const IndependentSuspension& suspension, const Eigen::Vector3d& p_
     model.damping = suspension.link_rate.damping;
     vehicle.links.push_back(model);
   }
-}
-
-void AddSpring(const SpringLayout& layout, const Eigen::Vector3d& p_RB_chassis, double side,
-               int carrier, const std::string& prefix, VehicleModel& vehicle) {
-  SpringModel spring;
-  spring.name = prefix + " spring";
-  spring.body_b = carrier;
-  spring.p_A = OnSide(layout.mount, side) - p_RB_chassis;
-  spring.p_Q = OnSide(layout.pivot, side) - p_RB_chassis;
-  spring.p_B = OnSide(layout.hub_point, side);
-  spring.lever = layout.lever;
-  spring.stiffness = layout.rate.stiffness;
-  spring.damping = layout.rate.damping;
-  spring.free_length = layout.free_length.value_or(0);
-  vehicle.springs.push_back(spring);
 }
 
 /// Toe: the carrier's forward axis against the chassis' left axis; camber: the carrier's spin axis
@@ -63,6 +43,25 @@ void AddJoints(const IndependentSuspension& suspension, int carrier, int steered
 
 }  // namespace
 
+void AddSpring(const SpringLayout& layout, double side, int body, const std::string& prefix,
+               VehicleModel& vehicle) {
+  const Eigen::Vector3d p_RB_chassis = vehicle.bodies[0].p_RB;
+  SpringModel spring;
+  spring.name = prefix + " spring";
+  spring.body_b = body;
+  spring.p_A = OnSide(layout.mount, side) - p_RB_chassis;
+  spring.p_Q = OnSide(layout.pivot, side) - p_RB_chassis;
+  spring.p_B = OnSide(layout.hub_point, side);
+  spring.lever = layout.lever;
+  spring.stiffness = layout.rate.stiffness;
+  spring.damping = layout.rate.damping;
+  spring.force_curve = layout.force_curve;
+  spring.damping_curve = layout.damping_curve;
+  spring.bump_stop = layout.bump_stop;
+  spring.free_length = layout.free_length.value_or(0);
+  vehicle.springs.push_back(spring);
+}
+
 void AddIndependentAxle(const IndependentSuspension& suspension, const Eigen::Vector3d& center,
                         const WheelModel& wheel_of_both, VehicleModel& vehicle) {
   AxleModel& axle = vehicle.axles.back();
@@ -80,7 +79,7 @@ void AddIndependentAxle(const IndependentSuspension& suspension, const Eigen::Ve
     vehicle.wheels.push_back(wheel);
     (side > 0 ? axle.left : axle.right) = index;
     AddLinks(suspension, p_RB_chassis, side, carrier, prefix, vehicle);
-    AddSpring(suspension.spring, p_RB_chassis, side, carrier, prefix, vehicle);
+    AddSpring(suspension.spring, side, carrier, prefix, vehicle);
     AddJoints(suspension, carrier, axle.steer_ratio != 0 ? index : -1, prefix, vehicle);
   }
 }

@@ -21,8 +21,20 @@ struct SpringLayout {
   Eigen::Vector3d hub_point;  // of the arm, on the wheel body
   double lever = 1;
   StiffnessDamping rate;
+  CurveModel force_curve;    // replaces the stiffness where given
+  CurveModel damping_curve;  // replaces the damping where given
+  BumpStopModel bump_stop;
   std::optional<double> free_length;  // absent: trimmed
 };
+
+/// Mirrors left-side geometry to the right when `side` is -1.
+inline Eigen::Vector3d OnSide(const Eigen::Vector3d& left, double side) {
+  return {left.x(), side * left.y(), left.z()};
+}
+
+/// The spring of one side between the chassis and `body`.
+void AddSpring(const SpringLayout& layout, double side, int body, const std::string& prefix,
+               VehicleModel& vehicle);
 
 /// An independent wheel: carrier body held by links from chassis points to balls, a spring, and
 /// rotational stiffness against toe and, if needed, camber.

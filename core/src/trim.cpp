@@ -5,6 +5,8 @@
 
 #include <Eigen/Dense>
 
+#include "curve.h"
+
 namespace dbd {
 namespace {
 
@@ -88,6 +90,16 @@ void SolveForces(const std::vector<Unknown>& unknowns, const Vector6& load) {
   }
 }
 
+/// Free length and contact lengths of the stops, for a length and a push in the design pose.
+void TrimSpring(double length, double push, SpringModel& spring) {
+  spring.bump_stop.shortest_length = length - spring.bump_stop.travel_compression;
+  spring.bump_stop.longest_length = length + spring.bump_stop.travel_extension;
+  if (spring.free_length > 0) return;
+  const double deflection =
+      spring.force_curve.given() ? InvertCurve(spring.force_curve, push) : push / spring.stiffness;
+  spring.free_length = length + deflection;
+}
+
 }  // namespace
 
 void TrimWheelLoads(VehicleModel& vehicle) {
@@ -129,9 +141,7 @@ void TrimFreeLengths(VehicleModel& vehicle) {
     link.free_length = LinkVector(vehicle, link).norm() - tension[i] / link.stiffness;
   }
   for (std::size_t i = 0; i < vehicle.springs.size(); ++i) {
-    SpringModel& spring = vehicle.springs[i];
-    if (spring.free_length > 0) continue;
-    spring.free_length = SpringVector(vehicle, spring).norm() + push[i] / spring.stiffness;
+    TrimSpring(SpringVector(vehicle, vehicle.springs[i]).norm(), push[i], vehicle.springs[i]);
   }
   for (std::size_t i = 0; i < vehicle.joints.size(); ++i) {
     AxisJointModel& joint = vehicle.joints[i];

@@ -37,6 +37,34 @@ struct LinkModel {
   double free_length = 0;
 };
 
+/// A piecewise linear function as a sum of hinges, so that a pack of lanes evaluates it without a
+/// search: f(x) = value + slope (x - origin) + sum of change_i max(0, x - at_i). Beyond its table
+/// it goes on along the outer segments. No hinges and no slope: not given.
+struct CurveModel {
+  struct Hinge {
+    double at = 0;
+    double slope_change = 0;
+  };
+  double origin = 0;
+  double value = 0;
+  double slope = 0;
+  std::vector<Hinge> hinges;
+
+  bool given() const { return slope != 0 || !hinges.empty(); }
+};
+
+/// Rubber stops at both ends of a spring's travel. A stop compressed by u pushes back with
+/// k u (1 + u / 2p) plus its damping, which never makes it pull and at most doubles the push.
+struct BumpStopModel {
+  double travel_compression = 0;  ///< of the spring from the design pose to contact [m]
+  double travel_extension = 0;
+  double stiffness = 0;    ///< at first contact [N/m]; 0: no stops
+  double progression = 0;  ///< p: compression at which the stiffness has doubled [m]; 0: linear
+  double damping = 0;
+  double shortest_length = 0;  ///< of the spring at contact, set by the trim
+  double longest_length = 0;
+};
+
 /// A suspension spring and shock absorber. Its lower mount lies on a massless arm: at the fraction
 /// `lever` of the way from pivot Q (on body a) to p_B (on body b). The force is shared between Q
 /// and p_B in the same proportion, as the paper does between the lower arm's connection points.
@@ -51,6 +79,9 @@ struct SpringModel {
   double stiffness = 0;
   double damping = 0;
   double free_length = 0;
+  CurveModel force_curve;    ///< over the deflection from the free length; replaces stiffness
+  CurveModel damping_curve;  ///< over the speed of compression; replaces damping
+  BumpStopModel bump_stop;
 };
 
 /// A rotational spring-damper that holds axis_a . axis_b at `rest` (+ sin of the steer angle).
@@ -66,6 +97,45 @@ struct AxisJointModel {
   double damping = 0;      ///< [N m s / rad]
   double rest = 0;         ///< [-]
   int steered_wheel = -1;  ///< wheel whose steer angle is the target, -1: none
+};
+
+/// A point of a body that may touch the ground: belly, bumper, skid. Spring and damper along the
+/// ground's normal, friction with a bristle that yields at friction * normal force, so that a
+/// grounded vehicle neither creeps nor chatters.
+struct ContactModel {
+  std::string name;
+  int body = 0;
+  Eigen::Vector3d p_B = Eigen::Vector3d::Zero();
+  double stiffness = 0;             ///< normal [N/m]
+  double damping = 0;               ///< normal [N s/m]
+  double friction = 0;              ///< coefficient [-]
+  double tangential_stiffness = 0;  ///< of the bristle [N/m]
+  double tangential_damping = 0;    ///< while it sticks [N s/m]
+};
+
+/// Dry friction between two bodies, along an axis or about it: a bristle that yields at `limit`.
+/// Axis and force act at a point of body b.
+struct FrictionModel {
+  enum class Motion { kSliding, kTurning };
+  std::string name;
+  Motion motion = Motion::kSliding;
+  int body_a = 0;
+  int body_b = 0;
+  Eigen::Vector3d axis_a = Eigen::Vector3d::UnitZ();  ///< fixed to body a
+  Eigen::Vector3d p_B = Eigen::Vector3d::Zero();      ///< sliding only
+  double limit = 0;                                   ///< [N] or [N m]
+  double stiffness = 0;                               ///< before it slips [N/m] or [N m/rad]
+  double damping = 0;                                 ///< before it slips
+};
+
+/// A constant force and torque on a body: a trailer's pull, a winch, a test rig.
+struct AppliedLoadModel {
+  std::string name;
+  int body = 0;
+  Eigen::Vector3d p_B = Eigen::Vector3d::Zero();     ///< where the force acts
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< [N]
+  Eigen::Vector3d torque = Eigen::Vector3d::Zero();  ///< [N m]
+  bool turns_with_body = false;                      ///< given in the body's axes, else in W
 };
 
 /// Coefficients of the Brixius (ASABE D497) wheel equations.
@@ -132,7 +202,13 @@ struct PowertrainModel {
   double max_speed = 0;
   double braking_torque = 0;  ///< at closed throttle, positive
   std::vector<double> gear_ratios;
-  double transfer_ratio = 1;
+  double transfer_ratio = 1;  ///< in use: of the range that the vehicle file chooses
+  struct Range {
+    std::string name;
+    double ratio = 1;
+  };
+  std::vector<Range> ranges;  ///< all that the transfer case has; empty: one ratio
+  std::string range;          ///< name of the one in use
   double final_ratio = 1;
   double upshift_speed = 0;
   double downshift_speed = 0;
@@ -157,6 +233,9 @@ struct VehicleModel {
   std::vector<LinkModel> links;
   std::vector<SpringModel> springs;
   std::vector<AxisJointModel> joints;
+  std::vector<ContactModel> contacts;
+  std::vector<FrictionModel> frictions;
+  std::vector<AppliedLoadModel> loads;
   std::vector<WheelModel> wheels;
   std::vector<AxleModel> axles;
   PowertrainModel powertrain;

@@ -1,0 +1,139 @@
+#pragma once
+
+#include <dbd/core/ground.h>
+
+#include "elements.h"
+
+namespace dbd {
+
+// Contact of body points with the ground, dry friction between bodies, and applied loads.
+//
+// Both frictions are bristles: an elastic displacement that follows the motion and yields where its
+// force would exceed the limit. Known difference from Coulomb's law: a few micrometres of elastic
+// give before slip; in exchange a body at rest stays at rest, and no step size makes it chatter
+// below the bristle's own frequency.
+
+/// Samples the tangent plane under every contact point, from three heights.
+template <class Real>
+void SamplePointContacts(const VehicleModel& model, const Ground& ground,
+                         const Workspace<Real>& work, EngineState<Real>& state) {
+  using S = ScalarOf<Real>;
+  constexpr int kLanes = LaneTraits<Real>::kLanes;
+  constexpr double kReach = 0.05;  // [m] over which the slope is taken
+  const Real reach{S(kReach)};
+  for (std::size_t i = 0; i < model.contacts.size(); ++i) {
+    const ContactModel& contact = model.contacts[i];
+    const Vec3<Real> p =
+        PointOn(state.bodies[contact.body], work.R_WB[contact.body], contact.p_B).p;
+    S x[3 * kLanes], y[3 * kLanes], z[3 * kLanes];
+    LaneTraits<Real>::Store(p.x, x);
+    LaneTraits<Real>::Store(p.x + reach, x + kLanes);
+    LaneTraits<Real>::Store(p.x, x + 2 * kLanes);
+    LaneTraits<Real>::Store(p.y, y);
+    LaneTraits<Real>::Store(p.y, y + kLanes);
+    LaneTraits<Real>::Store(p.y + reach, y + 2 * kLanes);
+    ground.Heights(3 * kLanes, x, y, z);
+    const Real height = LaneTraits<Real>::Load(z);
+    const Real slope_x = (LaneTraits<Real>::Load(z + kLanes) - height) * Real(S(1 / kReach));
+    const Real slope_y = (LaneTraits<Real>::Load(z + 2 * kLanes) - height) * Real(S(1 / kReach));
+    state.contacts[i].p_WG = {p.x, p.y, height};
+    state.contacts[i].normal_W =
+        Normalized(Vec3<Real>{Real(-1) * slope_x, Real(-1) * slope_y, Real(1)});
+  }
+}
+
+/// Tangential force of a bristle under the normal force `push`; the bristle yields where needed.
+template <class Real>
+Vec3<Real> BristleForce(const ContactModel& contact, const Vec3<Real>& v_slide, const Real& push,
+                        double step, PointContactState<Real>& state) {
+  using S = ScalarOf<Real>;
+  const Vec3<Real>& n = state.normal_W;
+  Vec3<Real> bristle = state.bristle_W + Real(S(step)) * v_slide;
+  bristle -= Dot(bristle, n) * n;
+  const Real stiffness{S(contact.tangential_stiffness)};
+  const Real most = Real(S(contact.friction)) * push;
+  const Real tiny{S(1e-12)};
+  const Real stretch = Norm(bristle);
+  bristle = Min(Real(1), most / Max(stiffness * stretch, tiny)) * bristle;
+  state.bristle_W = bristle;
+  const Vec3<Real> f =
+      Real(-1) * (stiffness * bristle + Real(S(contact.tangential_damping)) * v_slide);
+  return Min(Real(1), most / Max(Norm(f), tiny)) * f;
+}
+
+template <class Real>
+void AddContactForces(const VehicleModel& model, double step, EngineState<Real>& state,
+                      Workspace<Real>& work) {
+  using S = ScalarOf<Real>;
+  for (std::size_t i = 0; i < model.contacts.size(); ++i) {
+    const ContactModel& contact = model.contacts[i];
+    PointContactState<Real>& c = state.contacts[i];
+    const auto point = PointOn(state.bodies[contact.body], work.R_WB[contact.body], contact.p_B);
+    const Real depth = Dot(c.p_WG - point.p, c.normal_W);
+    const Real rate = Real(-1) * Dot(point.v, c.normal_W);
+    const Real elastic = Real(S(contact.stiffness)) * depth;
+    const Real push = elastic + Real(S(contact.damping)) * rate;
+    const Real zero(0);
+    // The damper at most doubles the elastic force and never pulls: no jump at first touch.
+    const Real normal = Select(depth > zero, Clamp(push, zero, Real(2) * elastic), zero);
+    const Vec3<Real> v_slide = point.v + rate * c.normal_W;
+    const Vec3<Real> f = normal * c.normal_W + BristleForce(contact, v_slide, normal, step, c);
+    work.wrench[contact.body].Add(f, point.lever);
+    work.contact_force[i] = normal;
+  }
+}
+
+/// Dry friction between two bodies.
+template <class Real>
+void AddFrictionForces(const VehicleModel& model, double step, EngineState<Real>& state,
+                       Workspace<Real>& work) {
+  using S = ScalarOf<Real>;
+  for (std::size_t i = 0; i < model.frictions.size(); ++i) {
+    const FrictionModel& friction = model.frictions[i];
+    const BodyState<Real>& a = state.bodies[friction.body_a];
+    const BodyState<Real>& b = state.bodies[friction.body_b];
+    const Vec3<Real> axis = work.R_WB[friction.body_a] * Broadcast<Real>(friction.axis_a);
+    const auto on_b = PointOn(b, work.R_WB[friction.body_b], friction.p_B);
+    const Vec3<Real> lever_a = on_b.p - a.p_WB;
+    const bool slides = friction.motion == FrictionModel::Motion::kSliding;
+    const Real rate =
+        slides ? Dot(on_b.v - a.v_WB - Cross(a.w_WB, lever_a), axis) : Dot(b.w_WB - a.w_WB, axis);
+    const Real limit{S(friction.limit)}, give{S(friction.limit / friction.stiffness)};
+    state.frictions[i] = Clamp(state.frictions[i] + Real(S(step)) * rate, Real(-1) * give, give);
+    const Real wanted =
+        Real(S(friction.stiffness)) * state.frictions[i] + Real(S(friction.damping)) * rate;
+    const Real size = Real(-1) * Clamp(wanted, Real(-1) * limit, limit);  // on b
+    const Vec3<Real> action = size * axis;
+    if (slides) {
+      work.wrench[friction.body_b].Add(action, on_b.lever);
+      work.wrench[friction.body_a].Add(Real(-1) * action, lever_a);
+    } else {
+      work.wrench[friction.body_b].t_W += action;
+      work.wrench[friction.body_a].t_W -= action;
+    }
+    work.friction_force[i] = size;
+  }
+}
+
+template <class Real>
+void AddAppliedLoads(const VehicleModel& model, Workspace<Real>& work) {
+  for (const AppliedLoadModel& load : model.loads) {
+    const Mat3<Real>& R_WB = work.R_WB[load.body];
+    const Vec3<Real> force = Broadcast<Real>(load.force), torque = Broadcast<Real>(load.torque);
+    work.wrench[load.body].Add(load.turns_with_body ? R_WB * force : force,
+                               R_WB * Broadcast<Real>(load.p_B));
+    work.wrench[load.body].t_W += load.turns_with_body ? R_WB * torque : torque;
+  }
+}
+
+/// All of the above; costs nothing for a vehicle without them.
+template <class Real>
+void AddContactsAndLoads(const VehicleModel& model, const Ground& ground, double step,
+                         bool sample_ground, EngineState<Real>& state, Workspace<Real>& work) {
+  if (sample_ground) SamplePointContacts(model, ground, work, state);
+  AddContactForces(model, step, state, work);
+  AddFrictionForces(model, step, state, work);
+  AddAppliedLoads(model, work);
+}
+
+}  // namespace dbd
