@@ -1,0 +1,163 @@
+#include <dbd/core/driver.h>
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "support/core_vehicle.h"
+
+namespace dbd {
+namespace {
+
+using Points = std::vector<Eigen::Vector2d>;
+
+Points Arc(double radius, double angle) {
+  Points points;
+  for (double a = 0; a <= angle; a += 0.01) {
+    points.emplace_back(radius * std::sin(a), radius * (1 - std::cos(a)));
+  }
+  return points;
+}
+
+Points StraightThenArc(double radius) {
+  Points points{{0, 0}};
+  for (const Eigen::Vector2d& p : Arc(radius, 1.5)) points.emplace_back(40 + p.x(), p.y());
+  return points;
+}
+
+TEST(Ackermann, AllWheelNormalsMeetInOnePoint) {
+  for (const double steer : {-0.5, -0.1, 0.05, 0.3, 0.55}) {
+    const std::vector<double> angles = AckermannAngles(Tm27(), steer);
+    const double centre_y = 2.032 / std::tan(steer);  // on the rear axle's line
+    for (const AxleModel& axle : Tm27().axles) {
+      for (const bool left : {true, false}) {
+        const int wheel = left ? axle.left : axle.right;
+        const Eigen::Vector2d place(axle.x, (left ? 0.5 : -0.5) * axle.track);
+        const double a = angles[static_cast<std::size_t>(wheel)];
+        const Eigen::Vector2d rolling(std::cos(a), std::sin(a));
+        const Eigen::Vector2d to_centre = Eigen::Vector2d(0, centre_y) - place;
+        EXPECT_NEAR(rolling.dot(to_centre) / to_centre.norm(), 0, 1e-12) << steer;
+      }
+    }
+  }
+}
+
+TEST(Ackermann, AnglesByHand) {
+  // Mean 0.3 rad: turning centre 2.032 / 0.309336 = 6.56890 m to the left; inner wheel
+  // atan(2.032 / 5.81490) = 0.336182, outer atan(2.032 / 7.32290) = 0.270674.
+  const std::vector<double> angles = AckermannAngles(Tm27(), 0.3);
+  EXPECT_NEAR(angles[2], 0.336182, 2e-5);
+  EXPECT_NEAR(angles[3], 0.270674, 2e-5);
+  EXPECT_EQ(angles[0], 0);
+  EXPECT_EQ(angles[1], 0);
+}
+
+TEST(Ackermann, LeftAndRightMirror) {
+  const auto left = AckermannAngles(Tm27(), 0.2), right = AckermannAngles(Tm27(), -0.2);
+  EXPECT_NEAR(left[2], -right[3], 1e-15);
+  EXPECT_NEAR(left[3], -right[2], 1e-15);
+  for (const double angle : AckermannAngles(Tm27(), 0)) EXPECT_EQ(angle, 0);
+}
+
+/// A point that moves exactly as the kinematic model of the rear axle's middle.
+double FarthestFromCircle(double radius, double speed) {
+  const Path path(Arc(radius, 12));
+  const Driver driver(Tm27(), path, {.target_speed = speed, .stop_at_end = false});
+  DriverState state;
+  DriverView view{{0, 0}, 0, speed};
+  const Eigen::Vector2d centre(0, radius);
+  double worst = 0;
+  const double dt = 4e-3;
+  while (state.arc_length < 8 * radius) {
+    const DriverCommand command = driver.Update(view, dt, state);
+    view.heading += dt * speed * std::tan(command.steer) / Tm27().wheelbase();
+    view.position += dt * speed * Eigen::Vector2d(std::cos(view.heading), std::sin(view.heading));
+    worst = std::max(worst, std::abs((view.position - centre).norm() - radius));
+  }
+  return worst;
+}
+
+TEST(Driver, PurePursuitHoldsACircle) {
+  EXPECT_LT(FarthestFromCircle(20, 3), 0.02);
+  EXPECT_LT(FarthestFromCircle(20, 5), 0.05);
+  EXPECT_LT(FarthestFromCircle(8, 2), 0.05);
+}
+
+TEST(Driver, SteersTowardsThePathAndWithinTheLimit) {
+  const Driver driver(Tm27(), Path(Points{{0, 0}, {100, 0}}), {});
+  DriverState state;
+  EXPECT_LT(driver.Update({{5, 1}, 0, 3}, 4e-3, state).steer, 0);
+  state = {};
+  EXPECT_GT(driver.Update({{5, -1}, 0, 3}, 4e-3, state).steer, 0);
+  state = {};
+  EXPECT_EQ(driver.Update({{5, 0}, 0, 3}, 4e-3, state).steer, 0);
+  state = {};
+  const double most = Tm27().axles[1].max_steer;
+  EXPECT_LE(std::abs(driver.Update({{5, 3}, 2.5, 0}, 4e-3, state).steer), most);
+}
+
+TEST(Driver, SlowsDownBeforeACurve) {
+  const Driver driver(Tm27(), Path(StraightThenArc(10)), {.target_speed = 12});
+  const double in_curve = driver.SpeedLimit(46);
+  EXPECT_NEAR(in_curve, std::sqrt(2.0 * 10), 0.3);  // 2 m/s^2 of lateral acceleration
+  EXPECT_NEAR(driver.SpeedLimit(0), 12, 0.35);      // sqrt(20 + 2 * 1.5 * 38.5) = 11.6 or more
+  for (double s = 0; s + 0.5 < 40; s += 0.5) {      // no harder braking than planned, v dv <= a ds
+    const double a = driver.SpeedLimit(s), b = driver.SpeedLimit(s + 0.5);
+    EXPECT_LE((a * a - b * b) / (2 * 0.5), 1.5 + 1e-9) << s;
+  }
+}
+
+TEST(Driver, KeepsTheSpeedsThatTheGroundAllows) {
+  DriverOptions options{.target_speed = 8};
+  options.speed_limits.assign(201, 100.0);
+  for (std::size_t i = 100; i < 120; ++i) options.speed_limits[i] = 3;  // 50 m to 60 m
+  const Driver driver(Tm27(), Path(Points{{0, 0}, {100, 0}}), options);
+  EXPECT_NEAR(driver.SpeedLimit(55), 3, 1e-12);
+  EXPECT_NEAR(driver.SpeedLimit(48), std::sqrt(9 + 2 * 1.5 * 2), 1e-9);
+  EXPECT_NEAR(driver.SpeedLimit(10), 8, 1e-12);
+  EXPECT_NEAR(driver.SpeedLimit(70), 8, 1e-12);
+}
+
+TEST(Driver, NeverAsksForMoreThanTheVehiclesSpeedLimit) {
+  const Driver driver(Tm27(), Path(Points{{0, 0}, {1000, 0}}), {.target_speed = 100});
+  EXPECT_EQ(driver.SpeedLimit(0), 18);
+}
+
+TEST(Driver, StopsAtTheEnd) {
+  const Driver driver(Tm27(), Path(Points{{0, 0}, {50, 0}}), {.target_speed = 5});
+  DriverState state{.arc_length = 45};
+  DriverCommand command = driver.Update({{46, 0}, 0, 5}, 4e-3, state);
+  // 4 m before the end: sqrt(2 * 1.5 * 4) = 3.46 m/s at most, so it brakes.
+  EXPECT_LE(state.target_speed, 3.4642);
+  EXPECT_GT(command.brake, 0);
+  EXPECT_FALSE(state.arrived);
+  state.arc_length = 49;
+  command = driver.Update({{49.95, 0}, 0, 0.5}, 4e-3, state);
+  EXPECT_EQ(command.brake, 1);
+  EXPECT_FALSE(state.arrived);
+  driver.Update({{49.97, 0}, 0, 0.01}, 4e-3, state);
+  EXPECT_TRUE(state.arrived);
+}
+
+TEST(Driver, WithoutAPathItGoesStraightAheadForever) {
+  Driver driver(Tm27(), Path(), {.target_speed = 5});
+  driver.SetStart({3, 4}, std::numbers::pi / 2);
+  DriverState state;
+  const DriverCommand command = driver.Update({{3, 1000}, std::numbers::pi / 2, 5}, 4e-3, state);
+  EXPECT_NEAR(command.steer, 0, 1e-9);
+  EXPECT_EQ(state.target_speed, 5);
+}
+
+TEST(Driver, ThrottleIntegratesAwayASteadyError) {
+  Driver driver(Tm27(), Path(), {.target_speed = 5});
+  driver.SetStart({0, 0}, 0);
+  DriverState state;
+  const double first = driver.Update({{0, 0}, 0, 4.8}, 4e-3, state).engine_torque;
+  EXPECT_NEAR(first, 60 * 0.2 + 30 * 0.2 * 4e-3, 1e-9);
+  double last = first;
+  for (int i = 0; i < 100; ++i) last = driver.Update({{0, 0}, 0, 4.8}, 4e-3, state).engine_torque;
+  EXPECT_NEAR(last, 60 * 0.2 + 30 * 0.2 * 4e-3 * 101, 1e-9);
+}
+
+}  // namespace
+}  // namespace dbd
