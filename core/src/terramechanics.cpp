@@ -54,13 +54,4 @@ double LinesMurphyStiffness(double rim_diameter, double width, double pressure, 
   return 1e3 * (172 - 1.77 * rim + 5.6 * age_years + 0.34 * rim * section * bar);
 }
 
-double PoweredSinkage(double cone_index, double load, double width, double diameter,
-                      double deflection_ratio) {
-  const double numeric = WheelNumeric(cone_index, load, width, diameter) /
-                         std::pow(1 - std::min(deflection_ratio, 0.9), 1.5);
-  const double clay = numeric / std::pow(1 + width / diameter, 0.75);
-  const double self_propelled_slip = std::min(21 / std::pow(clay, 2.5) + 0.005, 1.0);
-  return diameter * 1.64 / std::pow(numeric / std::pow(self_propelled_slip, 0.19), 1.21);
-}
-
 }  // namespace dbd

@@ -1,5 +1,6 @@
 #include "observation.h"
 
+#include <dbd/core/sinkage.h>
 #include <dbd/core/terramechanics.h>
 #include <dbd/core/units.h>
 

@@ -1,4 +1,5 @@
 #include <dbd/core/mobility.h>
+#include <dbd/core/sinkage.h>
 #include <dbd/core/terramechanics.h>
 #include <dbd/core/units.h>
 

@@ -43,10 +43,4 @@ double LoadedRollingRadius(double radius, double deflection);
 double LinesMurphyStiffness(double rim_diameter, double width, double pressure,
                             double age_years = 0);
 
-/// Sinkage of a powered wheel on fine-grained soil [m], Dettwiller et al. 2018 (terramechanics
-/// 6.1, calibrated form): z/d = 1.64 / (N_cz / s_sp^0.19)^1.21 with N_cz = CI b d / (W (1 -
-/// delta/h)^1.5), s_sp the self-propelled slip 21/N_c^2.5 + 0.005, N_c = N_cz / (1 + b/d)^0.75.
-double PoweredSinkage(double cone_index, double load, double width, double diameter,
-                      double deflection_ratio);
-
 }  // namespace dbd
