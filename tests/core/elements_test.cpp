@@ -93,25 +93,30 @@ class TwoBodies : public ::testing::Test {
     return power;
   }
 
-  void AddLink(double stiffness, double damping) {
-    vehicle.links.push_back(
-        {"link", 0, 1, {0.1, 0.2, -0.1}, {-0.2, 0.1, 0.1}, stiffness, damping, 0.9});
+  void AddLink(double stiffness, double damping, const Eigen::Vector3d& p_A = {0.1, 0.2, -0.1},
+               const Eigen::Vector3d& p_B = {-0.2, 0.1, 0.1}) {
+    LinkModel link;
+    link.body_b = 1;
+    link.p_A = p_A, link.p_B = p_B;
+    link.stiffness = stiffness, link.damping = damping;
+    link.free_length = 0.9;
+    vehicle.links.push_back(link);
   }
   void AddSpring(double lever, double stiffness, double damping) {
-    vehicle.springs.push_back({"spring",
-                               0,
-                               1,
-                               {0.1, 0.1, 0.8},
-                               {0.2, 0, -0.1},
-                               {-0.1, -0.2, 0},
-                               lever,
-                               stiffness,
-                               damping,
-                               0.7});
+    SpringModel spring;
+    spring.body_b = 1;
+    spring.p_A = {0.1, 0.1, 0.8}, spring.p_Q = {0.2, 0, -0.1}, spring.p_B = {-0.1, -0.2, 0};
+    spring.lever = lever;
+    spring.stiffness = stiffness, spring.damping = damping;
+    spring.free_length = 0.7;
+    vehicle.springs.push_back(spring);
   }
   void AddJoint(double stiffness, double damping) {
-    vehicle.joints.push_back({"joint", 0, 1, Eigen::Vector3d::UnitY(), Eigen::Vector3d::UnitX(),
-                              stiffness, damping, 0.1, -1});
+    AxisJointModel joint;
+    joint.body_b = 1;
+    joint.stiffness = stiffness, joint.damping = damping;
+    joint.rest = 0.1;
+    vehicle.joints.push_back(joint);
   }
 
   VehicleModel vehicle;
@@ -123,7 +128,7 @@ TEST_F(TwoBodies, LinkForceByHand) {
   state = StateOfBodies(vehicle);
   state.bodies[1].p_WB = {1.2, 0, 0};
   state.bodies[1].v_WB = {0.5, 3, 0};
-  vehicle.links.push_back({"link", 0, 1, {0.1, 0, 0}, {-0.1, 0, 0}, 1000, 20, 0.9});
+  AddLink(1000, 20, {0.1, 0, 0}, {-0.1, 0, 0});
   // Length 1.2 - 0.2 = 1.0, stretched by 0.1 m at 0.5 m/s: 1000 * 0.1 + 20 * 0.5 = 110 N tension,
   // which pulls a forward and b back along the line through both centres.
   const auto wrench = Forces();
@@ -136,11 +141,11 @@ TEST_F(TwoBodies, LinkForceByHand) {
 TEST_F(TwoBodies, LinkMomentIsLeverTimesForce) {
   state = StateOfBodies(vehicle);
   state.bodies[1].p_WB = {1, 0, 0};
-  vehicle.links.push_back({"link", 0, 1, {0, 0, 0.5}, {0, 0, 0.5}, 1000, 0, 0.8});
-  // 200 N of tension along x at a height of 0.5 m: moment (0, 0.5 * 200, 0) on a, less on b.
+  AddLink(1000, 0, {0, 0, 0.5}, {0, 0, 0.5});
+  // 100 N of tension along x at a height of 0.5 m: moment (0, 0.5 * 100, 0) on a, less on b.
   const auto wrench = Forces();
-  EXPECT_NEAR(wrench[0].t_W.y, 100, 1e-9);
-  EXPECT_NEAR(wrench[1].t_W.y, -100, 1e-9);
+  EXPECT_NEAR(wrench[0].t_W.y, 50, 1e-9);
+  EXPECT_NEAR(wrench[1].t_W.y, -50, 1e-9);
 }
 
 TEST_F(TwoBodies, SpringIsSharedByTheLever) {

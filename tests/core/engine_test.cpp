@@ -62,6 +62,7 @@ TEST(Engine, EnergyOfTheFreeUndampedVehicleDoesNotDrift) {
   const double first = free.MeanEnergy(2);
   free.MeanEnergy(26);
   const double last = free.MeanEnergy(2);
+  RecordProperty("drift_ppm", static_cast<int>(std::lround(1e6 * (last / first - 1))));
   EXPECT_GT(first, 100);
   EXPECT_LT(std::abs(last / first - 1), 1e-3);
 }
