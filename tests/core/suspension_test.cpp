@@ -19,7 +19,11 @@ VehicleModel ChassisWithAxle(double steer_ratio) {
   suspension.carrier_mass = 10;
   suspension.links.push_back({"arm", {0.5, 0.25, 0.1}, {0, -0.2, 0.05}});
   suspension.link_rate = {1e5, 100};
-  suspension.spring = {{0.1, 0.3, 0.6}, {0.5, 0.25, 0.1}, {0, -0.2, 0}, 0.5, {2e4, 300}, {}};
+  suspension.spring.mount = {0.1, 0.3, 0.6};
+  suspension.spring.pivot = {0.5, 0.25, 0.1};
+  suspension.spring.hub_point = {0, -0.2, 0};
+  suspension.spring.lever = 0.5;
+  suspension.spring.rate = {2e4, 300};
   suspension.toe = {3e4, 150};
   AddIndependentAxle(suspension, {0, 0.7, 0}, WheelModel{}, vehicle);
   return vehicle;
