@@ -148,8 +148,9 @@ void TrafficabilityLayer::MarkNearObstacles() {
     }
   }
   const double margin = options_.obstacle_margin;
+  const double half_length = 0.5 * (outline_.front + outline_.rear);
   const double reach =
-      std::hypot(std::max(outline_.front, outline_.rear) + margin, outline_.half_width + margin) +
+      std::hypot(std::abs(box_center_ahead_) + half_length + margin, outline_.half_width + margin) +
       0.5 * grid.cell_size.norm() + resolution_;
   FlagAround(std::move(marks), reach, kNearObstacle);
 }

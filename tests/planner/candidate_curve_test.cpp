@@ -38,14 +38,13 @@ TEST(CurveCost, IsLengthTimesRateOnLevelGround) {
 }
 
 TEST(CurveCost, IsInfiniteAcrossWater) {
-  const Terrain terrain = DrawnTerrain({"......~......", "......~......", "......~......",
-                                        "......~......", "......~......", "......~......"},
-                                       2.0);
+  // Water from x = 13 to 15; the front wheels are about 2 m ahead of the path point.
+  const Terrain terrain = DrawnTerrain(std::vector<std::string>(6, ".......~......"), 2.0);
   const auto vehicle = TestVehicle();
   const TrafficabilityLayer layer(terrain, *vehicle, 8.0);
   const Pose2 from{4, 5, 0};
   EXPECT_TRUE(std::isinf(CurveCost(layer, from, ShortestDubinsCurve(from, {20, 5, 0}, 4))));
-  EXPECT_FALSE(std::isinf(CurveCost(layer, from, ShortestDubinsCurve(from, {9, 5, 0}, 4))));
+  EXPECT_FALSE(std::isinf(CurveCost(layer, from, ShortestDubinsCurve(from, {8, 5, 0}, 4))));
   EXPECT_FALSE(AllGo(layer, DensePoses({from, {20, 5, 0}}, 4)));
 }
 

@@ -75,4 +75,13 @@ inline Terrain DrawnTerrain(const std::vector<std::string>& drawing, double cell
 
 inline std::shared_ptr<const VehicleModel> TestVehicle() { return LoadVehicle("tomcar-tm27"); }
 
+/// The layer's verdict with the vehicle's middle, not its path point, at a place.
+inline NoGoReason ReasonAtMiddle(const TrafficabilityLayer& layer, double x, double y,
+                                 double heading) {
+  const auto vehicle = TestVehicle();
+  const double ahead = vehicle->middle_x() - vehicle->path_point_x();
+  return layer.Evaluate(x - ahead * std::cos(heading), y - ahead * std::sin(heading), heading)
+      .reason;
+}
+
 }  // namespace dbd

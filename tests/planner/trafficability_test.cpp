@@ -23,7 +23,7 @@ Terrain Incline(double degrees, double cone_index = 1.8e6) {
 
 NoGoReason ReasonAt(const Terrain& terrain, double x, double y, double heading) {
   const auto vehicle = TestVehicle();
-  return TrafficabilityLayer(terrain, *vehicle, 8.0).Evaluate(x, y, heading).reason;
+  return ReasonAtMiddle(TrafficabilityLayer(terrain, *vehicle, 8.0), x, y, heading);
 }
 
 TEST(Trafficability, LevelFirmGroundIsGoAtAboutFullSpeed) {
@@ -118,15 +118,15 @@ TEST(Trafficability, NamesWhatIsInTheWay) {
   const auto vehicle = TestVehicle();
   const TrafficabilityLayer layer(terrain, *vehicle, 8.0);
   // Cells are 2 m; the southmost row lies at y = 0, the blocks at y = 6 ... 10.
-  EXPECT_EQ(layer.Evaluate(6, 8, kEast).reason, NoGoReason::kImpassableMaterial);
-  EXPECT_EQ(layer.Evaluate(20, 8, kEast).reason, NoGoReason::kUnknownGround);
-  const NoGoReason mud = layer.Evaluate(34, 8, kEast).reason;
+  EXPECT_EQ(ReasonAtMiddle(layer, 6, 8, kEast), NoGoReason::kImpassableMaterial);
+  EXPECT_EQ(ReasonAtMiddle(layer, 20, 8, kEast), NoGoReason::kUnknownGround);
+  const NoGoReason mud = ReasonAtMiddle(layer, 34, 8, kEast);
   EXPECT_TRUE(mud == NoGoReason::kSinkage || mud == NoGoReason::kTraction);
-  EXPECT_EQ(layer.Evaluate(-3, 8, kEast).reason, NoGoReason::kOutsideMap);
-  EXPECT_EQ(layer.Evaluate(0.1, 8, kEast).reason, NoGoReason::kOutsideMap);
-  EXPECT_EQ(layer.Evaluate(std::nan(""), 8, kEast).reason, NoGoReason::kOutsideMap);
+  EXPECT_EQ(ReasonAtMiddle(layer, -3, 8, kEast), NoGoReason::kOutsideMap);
+  EXPECT_EQ(ReasonAtMiddle(layer, 0.1, 8, kEast), NoGoReason::kOutsideMap);
+  EXPECT_EQ(ReasonAtMiddle(layer, std::nan(""), 8, kEast), NoGoReason::kOutsideMap);
   EXPECT_TRUE(std::isinf(layer.SecondsPerMetre(6, 8, kEast)));
-  EXPECT_TRUE(layer.Evaluate(13, 8, kEast).go());
+  EXPECT_EQ(ReasonAtMiddle(layer, 14, 8, kEast), NoGoReason::kNone);
 }
 
 TEST(Trafficability, ObstaclesAreMetByTheOrientedBox) {
@@ -139,9 +139,9 @@ TEST(Trafficability, ObstaclesAreMetByTheOrientedBox) {
   // Walls at y = 2 and 5.5 (rows 4 and 11 from the south): free between 2.25 and 5.25 m.
   const auto vehicle = TestVehicle();
   const TrafficabilityLayer layer(terrain, *vehicle, 8.0);
-  EXPECT_TRUE(layer.Evaluate(10, 3.75, kEast).go());
-  EXPECT_EQ(layer.Evaluate(10, 3.75, kNorth).reason, NoGoReason::kObstacle);
-  EXPECT_EQ(layer.Evaluate(10, 2.5, kEast).reason, NoGoReason::kObstacle);
+  EXPECT_EQ(ReasonAtMiddle(layer, 10, 3.75, kEast), NoGoReason::kNone);
+  EXPECT_EQ(ReasonAtMiddle(layer, 10, 3.75, kNorth), NoGoReason::kObstacle);
+  EXPECT_EQ(ReasonAtMiddle(layer, 10, 2.5, kEast), NoGoReason::kObstacle);
 }
 
 TEST(Trafficability, LargeMapsGetCoarserCells) {
