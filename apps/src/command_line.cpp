@@ -133,6 +133,52 @@ void DeclareSimulate(CLI::App* app, Commands* commands) {
       [commands, simulate] { commands->run = [simulate] { return RunSimulate(*simulate); }; });
 }
 
+void AddScenarioVariants(CLI::App* command, ScenarioArguments* scenario) {
+  command->add_option("--target-speed", scenario->target_speed, "Default: the scenario's [m/s]")
+      ->check(CLI::Range(0.1, 100.0))
+      ->option_text("V");
+  command->add_option("--bump-radius", scenario->bump_radius, "A half cylinder at x = 15 m [m]")
+      ->check(CLI::Range(0.01, 2.0))
+      ->option_text("R");
+  command->add_option("--bump-side", scenario->bump_side, "Under which track, default both")
+      ->check(CLI::IsMember({"both", "left", "right"}))
+      ->option_text("SIDE");
+  command
+      ->add_option("--terrain", scenario->terrain,
+                   "Other ground: a CSV grid or an elevation raster, driven east from its origin")
+      ->option_text("FILE");
+  command->add_option("--link-stiffness", scenario->link_stiffness, "Factor on the stiff links")
+      ->check(CLI::Range(0.01, 1e4))
+      ->option_text("F");
+  command->add_option("--step-factor", scenario->step_factor, "Factor on all time steps")
+      ->check(CLI::Range(1e-3, 2.0))
+      ->option_text("F");
+  command->add_flag("--hold", scenario->hold,
+                    "Forces of a test rig drive and hold the chassis, not engine and steering");
+  command->add_flag("--vertical-tire", scenario->vertical_tire,
+                    "The reference trajectories' tire: vertical force only");
+}
+
+void DeclareScenario(CLI::App* app, Commands* commands) {
+  ScenarioArguments* scenario = &commands->scenario;
+  CLI::App* command = AddCommand(
+      app, "scenario", "Drive one of the paper's scenarios A-D, or compare it with another program",
+      "Example:\n  dbd scenario A --hold --vertical-tire --link-stiffness 10 --step-factor 0.5 "
+      "--compare A.csv");
+  command->add_option("name", scenario->name, "A, B, C or D")->required()->option_text("NAME");
+  command
+      ->add_option("--vehicle", scenario->vehicle,
+                   "Built-in vehicle or JSON file, default tomcar-tm27")
+      ->option_text("NAME|FILE");
+  command->add_option("--compare", scenario->compare, "Trajectory to compare with")
+      ->option_text("FILE.csv");
+  command->add_option("--out", scenario->out, "Write the trajectory, same layout")
+      ->option_text("FILE.csv");
+  AddScenarioVariants(command, scenario);
+  command->callback(
+      [commands, scenario] { commands->run = [scenario] { return RunScenario(*scenario); }; });
+}
+
 void DeclareTerrainGenerate(CLI::App* terrain, Commands* commands) {
   TerrainGenerateArguments* generate = &commands->terrain_generate;
   GeneratorOptions* options = &generate->options;
@@ -203,6 +249,7 @@ void DeclareCommands(CLI::App* app, Commands* commands) {
   app->footer("Example:\n  dbd terrain generate --out land/\n  dbd plan --help");
   DeclarePlan(app, commands);
   DeclareSimulate(app, commands);
+  DeclareScenario(app, commands);
   DeclareTerrain(app, commands);
   DeclareVehicle(app, commands);
 }

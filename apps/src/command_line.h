@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "plan_command.h"
+#include "scenario_command.h"
 #include "simulate_command.h"
 #include "terrain_command.h"
 #include "vehicle_command.h"
@@ -21,6 +22,7 @@ struct Commands {
   bool verbose = false;
   PlanArguments plan;
   SimulateArguments simulate;
+  ScenarioArguments scenario;
   TerrainGenerateArguments terrain_generate;
   TerrainInfoArguments terrain_info;
   std::string vehicle;

@@ -88,6 +88,12 @@ void AddTrailingLinks(const JsonObject& object, const Eigen::Vector3d& lower,
   }
 }
 
+IndependentSuspension::Link ReadTieRod(const JsonObject& object) {
+  const IndependentSuspension::Link rod{"tie rod", object.Point("inner"), object.Point("outer")};
+  object.RefuseUnknownKeys();
+  return rod;
+}
+
 IndependentSuspension ReadIndependent(const JsonObject& object, const std::string& type) {
   IndependentSuspension suspension;
   const JsonObject carrier = object.Child("carrier");
@@ -99,6 +105,8 @@ IndependentSuspension ReadIndependent(const JsonObject& object, const std::strin
   if (type == "double_wishbone") {
     AddArmLinks(object, "lower_arm", lower, suspension);
     AddArmLinks(object, "upper_arm", upper, suspension);
+    if (object.Has("tie_rod")) suspension.tie_rod = ReadTieRod(object.Child("tie_rod"));
+    suspension.steering_axis = lower;
   } else {
     AddTrailingLinks(object, lower, upper, suspension);
   }
@@ -180,6 +188,7 @@ TireModel ReadTire(const JsonObject& object) {
   tire.lateral_rate = object.Number("lateral_rate", 0.1, 100, tire.lateral_rate);
   tire.relaxation_length = object.Number("relaxation_length", 0.01, 5, tire.relaxation_length);
   tire.points = object.Has("points") ? object.Integer("points", 12, 64) : tire.points;
+  tire.traction = type == "radial" ? RadialCoefficients() : BiasCoefficients();
   if (object.Has("brixius")) tire.traction = ReadBrixius(object.Child("brixius"));
   object.RefuseUnknownKeys();
   return tire;

@@ -26,8 +26,8 @@ BodyPoint<Real> PointOn(const BodyState<Real>& body, const Mat3<Real>& R_WB,
 /// Stiff spring-dampers in the place of arms and joints: F = k (L - L0) + c dL/dt, tension
 /// positive (paper section 4.2).
 template <class Real>
-void AddLinkForces(const VehicleModel& model, const EngineState<Real>& state,
-                   Workspace<Real>& work) {
+void AddLinkForces(const VehicleModel& model, const WheelControls<Real>& controls,
+                   const EngineState<Real>& state, Workspace<Real>& work) {
   using S = ScalarOf<Real>;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     const LinkModel& link = model.links[i];
@@ -36,7 +36,13 @@ void AddLinkForces(const VehicleModel& model, const EngineState<Real>& state,
     const Vec3<Real> d = b.p - a.p;
     const Real length = Norm(d);
     const Vec3<Real> direction = (Real(1) / length) * d;
-    const Real tension = Real(S(link.stiffness)) * (length - Real(S(link.free_length))) +
+    Real free_length{S(link.free_length)};
+    if (link.steered_wheel >= 0) {
+      const Real sine = controls.steer_sine[link.steered_wheel];
+      free_length =
+          free_length + sine * (Real(S(link.steer_linear)) + sine * Real(S(link.steer_quadratic)));
+    }
+    const Real tension = Real(S(link.stiffness)) * (length - free_length) +
                          Real(S(link.damping)) * Dot(b.v - a.v, direction);
     const Vec3<Real> f = tension * direction;
     work.wrench[link.body_a].Add(f, a.lever);

@@ -51,7 +51,7 @@ void SetElementForces(const EngineModel& engine, const WheelControls<Real>& cont
     AddSpringForces(model, state, work, work.spring_wrench);
   }
   work.wrench = work.spring_wrench;
-  AddLinkForces(model, state, work);
+  AddLinkForces(model, controls, state, work);
   AddJointTorques(model, controls, state, work);
 }
 

@@ -37,10 +37,10 @@ inline Eigen::Quaterniond AttitudeOnGround(const VehicleModel& vehicle, const Gr
   const Eigen::Vector3d plane = places.completeOrthogonalDecomposition().solve(heights);
   *height = plane(0);
   const Eigen::Vector3d up = Eigen::Vector3d(-plane(1), -plane(2), 1).normalized();
-  const Eigen::Vector3d ahead(std::cos(heading), std::sin(heading), 0);
+  const Eigen::Vector2d course(std::cos(heading), std::sin(heading));
   Eigen::Matrix3d R;
-  R.col(1) = up.cross(ahead).normalized();
-  R.col(0) = R.col(1).cross(up);
+  R.col(0) = Eigen::Vector3d(course.x(), course.y(), plane.tail<2>().dot(course)).normalized();
+  R.col(1) = up.cross(R.col(0));
   R.col(2) = up;
   return Eigen::Quaterniond(R);
 }

@@ -3,18 +3,30 @@
 namespace dbd {
 namespace {
 
+LinkModel MakeLink(const IndependentSuspension& suspension, const IndependentSuspension::Link& link,
+                   const Eigen::Vector3d& p_RB_chassis, double side, int carrier,
+                   const std::string& prefix) {
+  LinkModel model;
+  model.name = prefix + " " + link.name;
+  model.body_b = carrier;
+  model.p_A = OnSide(link.chassis_point, side) - p_RB_chassis;
+  model.p_B = OnSide(link.ball, side);
+  model.stiffness = suspension.link_rate.stiffness;
+  model.damping = suspension.link_rate.damping;
+  return model;
+}
+
 void AddLinks(const IndependentSuspension& suspension, const Eigen::Vector3d& p_RB_chassis,
-              double side, int carrier, const std::string& prefix, VehicleModel& vehicle) {
+              double side, int carrier, int steered_wheel, const std::string& prefix,
+              VehicleModel& vehicle) {
   for (const IndependentSuspension::Link& link : suspension.links) {
-    LinkModel model;
-    model.name = prefix + " " + link.name;
-    model.body_b = carrier;
-    model.p_A = OnSide(link.chassis_point, side) - p_RB_chassis;
-    model.p_B = OnSide(link.ball, side);
-    model.stiffness = suspension.link_rate.stiffness;
-    model.damping = suspension.link_rate.damping;
-    vehicle.links.push_back(model);
+    vehicle.links.push_back(MakeLink(suspension, link, p_RB_chassis, side, carrier, prefix));
   }
+  if (!suspension.tie_rod) return;
+  LinkModel rod = MakeLink(suspension, *suspension.tie_rod, p_RB_chassis, side, carrier, prefix);
+  rod.steered_wheel = steered_wheel;
+  rod.p_BK = OnSide(suspension.steering_axis, side);
+  vehicle.links.push_back(rod);
 }
 
 /// Toe: the carrier's forward axis against the chassis' left axis; camber: the carrier's spin axis
@@ -78,9 +90,10 @@ void AddIndependentAxle(const IndependentSuspension& suspension, const Eigen::Ve
     wheel.axle = static_cast<int>(vehicle.axles.size()) - 1;
     vehicle.wheels.push_back(wheel);
     (side > 0 ? axle.left : axle.right) = index;
-    AddLinks(suspension, p_RB_chassis, side, carrier, prefix, vehicle);
+    const int steered_wheel = axle.steer_ratio != 0 ? index : -1;
+    AddLinks(suspension, p_RB_chassis, side, carrier, steered_wheel, prefix, vehicle);
     AddSpring(suspension.spring, side, carrier, prefix, vehicle);
-    AddJoints(suspension, carrier, axle.steer_ratio != 0 ? index : -1, prefix, vehicle);
+    AddJoints(suspension, carrier, steered_wheel, prefix, vehicle);
   }
 }
 

@@ -100,9 +100,26 @@ void TrimSpring(double length, double push, SpringModel& spring) {
   spring.free_length = length + deflection;
 }
 
+/// Lets a tie rod's length follow the steering: exact at straight ahead and at full lock.
+void SetSteering(const VehicleModel& vehicle, LinkModel& link) {
+  const WheelModel& wheel = vehicle.wheels[static_cast<std::size_t>(link.steered_wheel)];
+  const double lock = vehicle.axles[static_cast<std::size_t>(wheel.axle)].max_steer;
+  const auto length_at = [&](double angle) {
+    const Eigen::Vector3d arm = link.p_B - link.p_BK;
+    const Eigen::Vector3d turned =
+        link.p_BK + Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()) * arm;
+    return (PointInR(vehicle, link.body_b, turned) - PointInR(vehicle, link.body_a, link.p_A))
+        .norm();
+  };
+  const double sine = std::sin(lock);
+  const double left = length_at(lock), right = length_at(-lock), straight = length_at(0);
+  link.steer_linear = (left - right) / (2 * sine);
+  link.steer_quadratic = (left + right - 2 * straight) / (2 * sine * sine);
+}
+
 }  // namespace
 
-void TrimWheelLoads(VehicleModel& vehicle) {
+void TrimWheelLoads(const std::string& origin, VehicleModel& vehicle) {
   Eigen::Vector3d mass_moment = Eigen::Vector3d::Zero();
   for (const BodyModel& body : vehicle.bodies) mass_moment += body.mass * body.p_RB;
   const auto n = static_cast<Eigen::Index>(vehicle.wheels.size());
@@ -119,7 +136,7 @@ void TrimWheelLoads(VehicleModel& vehicle) {
     WheelModel& wheel = vehicle.wheels[i];
     wheel.static_load = loads(static_cast<Eigen::Index>(i));
     if (wheel.static_load <= 0) {
-      throw InputError(vehicle.name + ": wheel \"" + wheel.name + "\" carries " +
+      throw InputError(origin + ": axles: wheel \"" + wheel.name + "\" carries " +
                        std::to_string(wheel.static_load) +
                        " N at rest: the centre of mass must lie between the axles");
     }
@@ -139,6 +156,7 @@ void TrimFreeLengths(VehicleModel& vehicle) {
   for (std::size_t i = 0; i < vehicle.links.size(); ++i) {
     LinkModel& link = vehicle.links[i];
     link.free_length = LinkVector(vehicle, link).norm() - tension[i] / link.stiffness;
+    if (link.steered_wheel >= 0) SetSteering(vehicle, link);
   }
   for (std::size_t i = 0; i < vehicle.springs.size(); ++i) {
     TrimSpring(SpringVector(vehicle, vehicle.springs[i]).norm(), push[i], vehicle.springs[i]);

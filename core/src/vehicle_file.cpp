@@ -68,6 +68,10 @@ VehicleLimits ReadLimits(const JsonObject& object) {
   limits.min_clearance = object.Number("min_clearance", -1, 5);
   limits.max_speed = object.Number("max_speed", 0.1, 100);
   limits.max_lateral_acceleration = object.Number("max_lateral_acceleration", 0.1, 20);
+  limits.max_load_transfer = object.Number("max_load_transfer", 0.01, 1, limits.max_load_transfer);
+  limits.max_absorbed_power =
+      object.Number("max_absorbed_power", 0.1, 1000, limits.max_absorbed_power);
+  limits.max_shock = object.Number("max_shock", 0.1, 1000, limits.max_shock);
   object.RefuseUnknownKeys();
   return limits;
 }
@@ -129,7 +133,7 @@ std::shared_ptr<const VehicleModel> ParseVehicle(const std::string& text,
   vehicle->outline = ReadOutline(root.Child("outline"), vehicle->bodies[0].p_RB.x());
   vehicle->limits = ReadLimits(root.Child("limits"));
   vehicle->powertrain = ReadPowertrain(root.Child("powertrain"));
-  TrimWheelLoads(*vehicle);  // sets the heights of the axles that connections refer to
+  TrimWheelLoads(origin, *vehicle);  // sets the heights of the axles that connections refer to
   ReadElements(root, *vehicle);
   TrimFreeLengths(*vehicle);
   vehicle->steps = ChooseStepSizes(*vehicle);

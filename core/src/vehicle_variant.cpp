@@ -11,7 +11,7 @@ namespace {
 
 void TrimAgain(VehicleModel& vehicle) {
   for (SpringModel& spring : vehicle.springs) spring.free_length = 0;
-  TrimWheelLoads(vehicle);
+  TrimWheelLoads(vehicle.name, vehicle);
   TrimFreeLengths(vehicle);
   vehicle.steps = ChooseStepSizes(vehicle);
 }

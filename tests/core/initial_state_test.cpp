@@ -45,6 +45,13 @@ TEST(InitialState, HeadingIsKeptUphill) {
   EXPECT_NEAR(x.z, 0.3 / std::sqrt(1 + 0.3 * 0.3), 1e-12);
 }
 
+TEST(InitialState, HeadingIsKeptAcrossASlope) {
+  const auto ground = MakePlaneGround(0.2, -0.3);
+  const auto state = InitialState<double>(Tm27(), *ground, {0, 0}, 0.7);
+  const Vec3<double> x = RotationMatrix(state.bodies[0].q_WB).x;
+  EXPECT_NEAR(std::atan2(x.y, x.x), 0.7, 1e-12);
+}
+
 TEST(InitialState, DampingTakesAShareOfTheMotion) {
   const auto ground = MakePlaneGround(0, 0);
   auto state = InitialState<double>(Tm27(), *ground, {0, 0}, 0);

@@ -129,6 +129,9 @@ double CreepAfterStopping(double grade_x, double grade_y) {
 TEST(Simulation, StopsAndStaysUphill) {
   EXPECT_LT(CreepAfterStopping(std::tan(Degrees(15)), 0), 1e-3);
 }
+TEST(Simulation, StopsAndStaysDownhill) {
+  EXPECT_LT(CreepAfterStopping(-std::tan(Degrees(15)), 0), 1e-3);
+}
 TEST(Simulation, StopsAndStaysOnASideSlope) {
   EXPECT_LT(CreepAfterStopping(0, std::tan(Degrees(15))), 1e-3);
 }

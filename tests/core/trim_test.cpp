@@ -92,7 +92,7 @@ TEST(Trim, WithTheExactLoadsTheResidualIsRoundOff) {
 TEST(Trim, RefusesAVehicleThatTipsOver) {
   VehicleModel v = Tm27();
   v.bodies[0].p_RB.x() = -0.5;
-  const std::string message = InputErrorOf([&] { TrimWheelLoads(v); });
+  const std::string message = InputErrorOf([&] { TrimWheelLoads("test", v); });
   EXPECT_NE(message.find("wheel \"front left\" carries"), std::string::npos) << message;
   EXPECT_NE(message.find("must lie between the axles"), std::string::npos);
 }
@@ -115,7 +115,7 @@ TEST(Trim, ThreeAxlesShareTheWeightEvenlyWhereStaticsLeavesItOpen) {
     v.bodies.push_back(body);
     v.wheels.push_back(middle);
   }
-  TrimWheelLoads(v);
+  TrimWheelLoads("test", v);
   double sum = 0, moment = 0, mass_moment = 0;
   for (const WheelModel& wheel : v.wheels) {
     EXPECT_GT(wheel.static_load, 0);

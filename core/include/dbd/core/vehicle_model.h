@@ -35,6 +35,12 @@ struct LinkModel {
   double stiffness = 0;
   double damping = 0;
   double free_length = 0;
+  // A tie rod follows the steering: its free length grows by s (linear + quadratic s) with s the
+  // sine of the wheel's steer angle, as if body b turned about the vertical through p_BK.
+  int steered_wheel = -1;  ///< -1: not a tie rod
+  Eigen::Vector3d p_BK = Eigen::Vector3d::Zero();  ///< on the steering axis, in body b
+  double steer_linear = 0;
+  double steer_quadratic = 0;
 };
 
 /// A piecewise linear function as a sum of hinges, so that a pack of lanes evaluates it without a
