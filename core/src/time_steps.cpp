@@ -13,8 +13,12 @@ constexpr double kQuantum = 0.5e-3;       // [s]
 constexpr double kSlowestTire = 4e-3;     // [s] beyond it the sampled contact lags visibly
 constexpr double kSlowestControl = 4e-3;  // [s]
 
-double LeverArm(const Eigen::Vector3d& point, const Eigen::Vector3d& direction) {
-  return point.cross(direction).norm();
+/// Of a spring that pulls at `point` along `direction`: its moment m meets 1 / (m I^-1 m).
+double RotationalStep(const BodyModel& body, const Eigen::Vector3d& point,
+                      const Eigen::Vector3d& direction, double stiffness) {
+  const Eigen::Vector3d moment = point.cross(direction);
+  if (moment.norm() < 1e-6) return std::numeric_limits<double>::infinity();
+  return 1 / std::sqrt(stiffness * moment.dot(moment.cwiseQuotient(body.inertia)));
 }
 
 double RoundDown(double step) {
@@ -27,13 +31,9 @@ CriticalStep CriticalStepOf(const VehicleModel& vehicle, const LinkModel& link) 
   const BodyModel& a = vehicle.bodies[link.body_a];
   const BodyModel& b = vehicle.bodies[link.body_b];
   const Eigen::Vector3d direction = (b.p_RB + link.p_B - a.p_RB - link.p_A).normalized();
-  const auto rotational = [&](const BodyModel& body, const Eigen::Vector3d& point) {
-    const double arm = LeverArm(point, direction);
-    if (arm < 1e-6) return std::numeric_limits<double>::infinity();
-    return std::sqrt(body.inertia.minCoeff() / (link.stiffness * arm * arm));
-  };
   return {std::sqrt(std::min(a.mass, b.mass) / link.stiffness),
-          std::min(rotational(a, link.p_A), rotational(b, link.p_B))};
+          std::min(RotationalStep(a, link.p_A, direction, link.stiffness),
+                   RotationalStep(b, link.p_B, direction, link.stiffness))};
 }
 
 StepSizes ChooseStepSizes(const VehicleModel& vehicle) {
