@@ -40,6 +40,8 @@ void AddVehicleColumns(std::vector<TraceColumn>* columns) {
       {"load_transfer_ratio", 4, [](Sample a) { return a.load_transfer_ratio; }},
       {"ground_slope_deg", 3, [](Sample a) { return ToDegrees(a.ground_slope); }},
       {"power_w", 0, [](Sample a) { return a.power; }},
+      {"absorbed_power_w", 2, [](Sample a) { return a.absorbed_power; }},
+      {"vertical_acceleration_mps2", 2, [](Sample a) { return a.vertical_acceleration; }},
   };
   columns->insert(columns->end(), vehicle.begin(), vehicle.end());
 }
@@ -57,6 +59,9 @@ void KeepWorst(const TraceSample& sample, TraceSample* worst) {
   worst->load_transfer_ratio = std::max(worst->load_transfer_ratio, sample.load_transfer_ratio);
   worst->ground_slope = std::max(worst->ground_slope, sample.ground_slope);
   worst->power = std::max(worst->power, sample.power);
+  worst->absorbed_power = std::max(worst->absorbed_power, sample.absorbed_power);
+  worst->vertical_acceleration =
+      std::max(worst->vertical_acceleration, sample.vertical_acceleration);
 }
 
 }  // namespace

@@ -91,8 +91,10 @@ double Driver::SpeedLimit(double s) const {
   return speed_profile_[static_cast<std::size_t>(index)];
 }
 
-double Driver::TargetSpeed(const DriverView& view, const DriverState& state) const {
-  const double limit = SpeedLimit(state.arc_length + 0.3 * view.speed);
+double Driver::TargetSpeed(const DriverView& view, double dt, DriverState& state) const {
+  const double allowed = SpeedLimit(state.arc_length + 0.3 * view.speed);
+  const double limit =
+      CarefulSpeed(options_.care, vehicle_.limits, view.going, allowed, dt, state.care);
   if (!options_.stop_at_end) return limit;
   const double left = path_.length() - state.arc_length;
   return left <= 0.1 ? 0.0 : std::min(limit, std::sqrt(2 * options_.deceleration * left));
@@ -114,7 +116,7 @@ double Driver::Steer(const DriverView& view, DriverState& state) const {
 DriverCommand Driver::Update(const DriverView& view, double dt, DriverState& state) const {
   DriverCommand command;
   command.steer = Steer(view, state);
-  state.target_speed = TargetSpeed(view, state);
+  state.target_speed = TargetSpeed(view, dt, state);
   const double error = state.target_speed - view.speed;
   const double most = 10 * options_.speed_gain;
   state.integral = std::clamp(state.integral + options_.integral_gain * error * dt, -most, most);

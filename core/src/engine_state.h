@@ -23,6 +23,15 @@ struct BodyState {
   Vec3<Real> w_WB;  // angular velocity that belongs to h_WB
 };
 
+/// Which traction model holds under a wheel, and what Bekker's wheel gave at sampling time.
+template <class Real>
+struct SoilRule {
+  Real model;       // number of the TractionModel
+  Real capacity;    // Bekker: thrust at full slip / load
+  Real shear_rate;  // Bekker: contact length / K
+  Real resistance;  // Bekker: compaction resistance / load
+};
+
 /// What the ground did to a wheel when it was last sampled (SPLIT tire: geometry is held between
 /// samples, the force law is not).
 template <class Real>
@@ -33,6 +42,7 @@ struct TireContact {
   Real deflection;    // at sampling time, 0 = no contact
   Real cone_index;
   Real friction_limit;
+  SoilRule<Real> rule;
 };
 
 /// A wheel's own degrees of freedom, and what it last met.

@@ -1,12 +1,13 @@
 #include <dbd/core/mobility.h>
-#include <dbd/core/sinkage.h>
 #include <dbd/core/terramechanics.h>
+#include <dbd/core/traction_relations.h>
 #include <dbd/core/units.h>
 
 #include <algorithm>
 #include <cmath>
 
 #include "brixius.h"
+#include "soil_rule.h"
 
 namespace dbd {
 namespace {
@@ -19,7 +20,7 @@ double StaticMobility(const WheelModel& wheel, const SoilSample& soil) {
                             wheel.static_load / tire.stiffness / tire.section_height));
 }
 
-double WheelNetTraction(const WheelModel& wheel, bool driven, const SoilSample& soil) {
+double BrixiusNetTraction(const WheelModel& wheel, bool driven, const SoilSample& soil) {
   const BrixiusCoefficients& c = wheel.tire.traction;
   const double mobility = StaticMobility(wheel, soil);
   if (!driven) return -MotionResistanceRatio(c, mobility, 0);
@@ -27,6 +28,37 @@ double WheelNetTraction(const WheelModel& wheel, bool driven, const SoilSample& 
   // A friction limit below the soil's capacity cuts the gross part only.
   const double excess = std::max(0.0, TractionCapacity(c, mobility) - soil.friction_limit);
   return best.ratio - excess;
+}
+
+/// Traction of the other models grows with slip throughout: the most is at full slip.
+double WismerLuthNetTraction(const WheelModel& wheel, bool driven, const SoilSample& soil) {
+  const TireModel& tire = wheel.tire;
+  const double numeric =
+      std::min(kHardSoilMobility,
+               WheelNumeric(soil.cone_index, wheel.static_load, tire.width, 2 * tire.radius));
+  const TractionRatios ratios = WismerLuthTraction(numeric, driven ? 1 : 0);
+  return ratios.gross * std::min(1.0, soil.friction_limit / 0.75) - ratios.resistance;
+}
+
+double BekkerNetTraction(const WheelModel& wheel, bool driven, const SoilSample& soil) {
+  const TireModel& tire = wheel.tire;
+  const SoilRule<double> rule =
+      BekkerRule(soil.plate, {tire.width, 2 * tire.radius, tire.stiffness},
+                 wheel.static_load / tire.stiffness);
+  if (!driven) return -rule.resistance - tire.traction.carcass_loss;
+  return std::min(rule.capacity, soil.friction_limit) - rule.resistance;
+}
+
+double WheelNetTraction(const WheelModel& wheel, bool driven, const SoilSample& soil) {
+  switch (soil.traction_model) {
+    case TractionModel::kBrixius:
+      return BrixiusNetTraction(wheel, driven, soil);
+    case TractionModel::kWismerLuth:
+      return WismerLuthNetTraction(wheel, driven, soil);
+    case TractionModel::kBekker:
+      return BekkerNetTraction(wheel, driven, soil);
+  }
+  return 0;
 }
 
 }  // namespace
@@ -39,13 +71,22 @@ double MaxNetTractionRatio(const VehicleModel& vehicle, const SoilSample& soil) 
   return force / (vehicle.total_mass() * kGravity);
 }
 
+double WheelSinkage(const TireModel& tire, const SoilSample& soil, double load, double deflection,
+                    double slip, int pass, const SinkageOptions& options) {
+  if (soil.traction_model == TractionModel::kBekker) {
+    return BekkerWheel(soil.plate, {load, tire.width, 2 * tire.radius, deflection}).sinkage;
+  }
+  const WheelFooting footing{soil.cone_index, load, tire.width, 2 * tire.radius,
+                             deflection / tire.section_height};
+  return OperatingSinkage(footing, slip, pass, options);
+}
+
 double StaticSinkage(const VehicleModel& vehicle, const SoilSample& soil) {
   double deepest = 0;
   for (const WheelModel& wheel : vehicle.wheels) {
-    const TireModel& tire = wheel.tire;
-    deepest = std::max(
-        deepest, PoweredSinkage(soil.cone_index, wheel.static_load, tire.width, 2 * tire.radius,
-                                wheel.static_load / tire.stiffness / tire.section_height));
+    const double load = wheel.static_load;
+    deepest =
+        std::max(deepest, WheelSinkage(wheel.tire, soil, load, load / wheel.tire.stiffness, 0));
   }
   return deepest;
 }

@@ -31,6 +31,7 @@ struct Simulation::Impl {
   PowertrainState powertrain;
   double start_time = 0;
   double energy = 0;
+  Vec3<double> last_v_WB{};  // of the chassis, one control step ago
 
   double Time() const { return static_cast<double>(state.step) * engine.step; }
 
@@ -115,11 +116,13 @@ void Simulation::Place(const Eigen::Vector2d& position, double heading, double s
   }
   s.state.step = 0;
   s.energy = 0;
+  s.last_v_WB = s.state.bodies[0].v_WB;
 }
 
 void Simulation::Advance(const DriverCommand& command) {
   Impl& s = *impl_;
   s.SetControls(command, control_step());
+  s.last_v_WB = s.state.bodies[0].v_WB;
   for (int i = 0; i < s.engine.control_every; ++i) {
     s.Step();
     s.AddEnergy();
@@ -174,6 +177,11 @@ DriverView Simulation::ViewForDriver() const {
   const ChassisView chassis = Chassis();
   const Eigen::Vector3d rear = chassis.p_WB + chassis.q_WB * SteeringOrigin(impl_->vehicle);
   return {rear.head<2>(), chassis.yaw, chassis.forward_speed};
+}
+
+double Simulation::VerticalAcceleration() const {
+  const BodyState<double>& body = impl_->state.bodies[0];
+  return Dot(body.v_WB - impl_->last_v_WB, RotationMatrix(body.q_WB).z) / control_step();
 }
 
 bool Simulation::IsSane() const {

@@ -17,6 +17,10 @@ double BrixiusMobilityNumber(double cone_index, double load, double width, doubl
          (1 + 3 * width / diameter);
 }
 
+BrixiusCoefficients BiasCoefficients() { return {}; }
+
+BrixiusCoefficients RadialCoefficients() { return {0.88, 0.1, 9.5, 0.0325, 0.9, 0.5}; }
+
 double GrossTractionRatio(const BrixiusCoefficients& c, double mobility, double slip) {
   const double shear = 1 - std::exp(-c.slip_rate * std::abs(slip));
   return std::copysign(TractionCapacity(c, mobility) * shear, slip) + c.carcass_loss;

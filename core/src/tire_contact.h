@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine_state.h"
+#include "soil_rule.h"
 
 namespace dbd {
 
@@ -28,7 +29,9 @@ inline constexpr int kMaxLowerPoints = 33;  // of one plane, for 64 points round
 struct TirePattern {
   double radius = 0;
   double half_span = 0;  // lateral distance of the outer planes from the middle one
-  int count = 0;         // odd; the middle point is the lowest
+  double width = 0;      // of the tire
+  double stiffness = 0;
+  int count = 0;  // odd; the middle point is the lowest
   std::array<double, kMaxLowerPoints> x{};
   std::array<double, kMaxLowerPoints> z{};
   // Of the segment from point i to i+1: four times the sagitta of the circle below its chord, and
@@ -43,6 +46,8 @@ inline TirePattern MakeTirePattern(const TireModel& tire) {
   TirePattern pattern;
   pattern.radius = tire.radius;
   pattern.half_span = tire.width / kTirePlanes;
+  pattern.width = tire.width;
+  pattern.stiffness = tire.stiffness;
   const double step = 2 * std::numbers::pi / tire.points;
   const int half = static_cast<int>(std::floor((0.5 * std::numbers::pi - 1e-9) / step));
   pattern.count = 2 * half + 1;
@@ -190,7 +195,7 @@ Real EquivalentDeflection(const Real& area, double radius) {
 }
 
 template <class Real>
-void SetContactSoil(const Ground& ground, TireContact<Real>& contact) {
+void SetContactSoil(const TirePattern& pattern, const Ground& ground, TireContact<Real>& contact) {
   using S = ScalarOf<Real>;
   constexpr int kLanes = LaneTraits<Real>::kLanes;
   S x[kLanes], y[kLanes], cone_index[kLanes], friction[kLanes];
@@ -204,6 +209,8 @@ void SetContactSoil(const Ground& ground, TireContact<Real>& contact) {
   }
   contact.cone_index = LaneTraits<Real>::Load(cone_index);
   contact.friction_limit = LaneTraits<Real>::Load(friction);
+  contact.rule = MakeSoilRule(soil, {pattern.width, 2 * pattern.radius, pattern.stiffness},
+                              contact.deflection);
 }
 
 template <class Real>
@@ -257,7 +264,7 @@ void SampleContact(const TirePattern& pattern, const Ground& ground, const Vec3<
   contact.deflection =
       Select(sums.area > least_area,
              EquivalentDeflection(Real(S(1.0 / kTirePlanes)) * sums.area, pattern.radius), Real(0));
-  SetContactSoil(ground, contact);
+  SetContactSoil(pattern, ground, contact);
 }
 
 }  // namespace dbd

@@ -1,13 +1,14 @@
 #pragma once
 
-#include "brixius.h"
 #include "engine_state.h"
+#include "traction_models.h"
 
 namespace dbd {
 
 // The force law of a tire between two samples of the ground (paper section 4.5): normal force from
-// the deflection, traction and motion resistance after Brixius, lateral force exponential in the
-// slip angle (Crolla & El-Razaz 1987) inside a traction ellipse (Janosi et al. 1981).
+// the deflection, traction and motion resistance by the soil's model (Brixius unless the material
+// says otherwise), lateral force exponential in the slip angle (Crolla & El-Razaz 1987) inside a
+// traction ellipse (Janosi et al. 1981).
 //
 // Differences from the source, each needed for a stable and accurate step:
 // - Slip and slip angle build up over a relaxation length, s' = (u - v - max(|u|,|v|) s) / sigma.
@@ -17,7 +18,9 @@ namespace dbd {
 // - Spin is advanced semi-implicitly, and the same updated force acts on the wheel's body.
 // - The deflection follows the hub along the contact normal between samples (SPLIT).
 
-inline constexpr double kBristleTime = 0.02;     // [s]
+// Large enough that the springs under a braked, parked vehicle and its bounce and pitch near 2 Hz
+// do not drive each other, as they do below 0.03 s, nose down on 8 to 15 deg.
+inline constexpr double kBristleTime = 0.04;     // [s]
 inline constexpr double kBristleSpeed = 1.0;     // [m/s] where the bristle damper has halved
 inline constexpr double kResistanceSpeed = 0.1;  // [m/s] over which resistance changes its sign
 inline constexpr double kEllipseFloor = 0.02;    // least share of (lateral / full)^2
@@ -31,8 +34,9 @@ struct TireLaw {
   Real traction0;         // shear force at the spin of the last step
   Real traction_by_spin;  // its derivative [N s/rad]
   Real traction_limit;    // shear force at full slip
-  Real carcass_torque;    // opposes rolling
-  Real resistance;        // along forward, negative when rolling forward
+  TractionCurve<Real> curve;
+  Real carcass_torque;  // opposes rolling
+  Real resistance;      // along forward, negative when rolling forward
   Real lateral;
   Real slip_gain;  // slip after the step = slip_base + slip_gain * spin
   Real slip_base;
@@ -76,11 +80,9 @@ void SetTraction(const TireModel& tire, const WheelState<Real>& wheel, const Rea
 
   const Real relaxed = Clamp(law.slip_base + law.slip_gain * wheel.spin, Real(-1), one);
   const Real slip = Clamp(relaxed + damper * (u - vx), Real(-1), one);
-  const Real decay = Exp(Real(S(-tire.traction.slip_rate)) * Abs(slip));
-  const Real shear = law.traction_limit * (one - decay);
-  law.traction0 = Select(slip < Real(0), Real(-1) * shear, shear);
-  law.traction_by_spin = law.traction_limit * Real(S(tire.traction.slip_rate)) * decay *
-                         (law.slip_gain + damper * law.rolling_radius);
+  const ShearForce<Real> shear = ShearAt(law.curve, law.traction_limit, slip);
+  law.traction0 = Select(slip < Real(0), Real(-1) * shear.force, shear.force);
+  law.traction_by_spin = shear.stiffness * (law.slip_gain + damper * law.rolling_radius);
 }
 
 /// Lateral part: relaxed slip angle, exponential law, ellipse with the traction in use.
@@ -124,15 +126,17 @@ TireLaw<Real> EvaluateTire(const WheelModel& model, const BodyState<Real>& body,
   law.rolling_radius = RollingRadius(tire.radius, deflection);
   const Real mobility = MobilityNumber(contact.cone_index, law.load, deflection, tire.width,
                                        2 * tire.radius, tire.section_height);
-  const Real capacity = Min(TractionCapacity(tire.traction, mobility), contact.friction_limit);
+  law.curve = BrixiusCurve(tire.traction, mobility, wheel.slip);
+  SelectTractionModel(tire, contact, law.load, law.curve);
+  const Real capacity = Min(law.curve.capacity, contact.friction_limit);
   law.traction_limit = capacity * law.load;
   SetTraction(tire, wheel, vx, step, law);
   SetLateral(tire, vx, vy, step, capacity, wheel, law);
 
   const Real v1{S(kResistanceSpeed)};
   const Real rolling = law.load * vx / Sqrt(vx * vx + v1 * v1);
-  law.resistance = Real(-1) * rolling * SoilResistance(tire.traction, mobility, wheel.slip);
-  law.carcass_torque = Real(S(tire.traction.carcass_loss)) * rolling * law.rolling_radius;
+  law.resistance = Real(-1) * rolling * law.curve.resistance;
+  law.carcass_torque = law.curve.carcass * rolling * law.rolling_radius;
   return law;
 }
 

@@ -1,4 +1,5 @@
 #include <dbd/core/driver.h>
+#include <dbd/core/ride.h>
 #include <dbd/core/simulation.h>
 #include <dbd/planner/drive.h>
 
@@ -54,6 +55,7 @@ class Drive {
         driver_(vehicle, path,
                 {.target_speed = options.target_speed,
                  .speed_limits = GroundSpeedLimits(terrain, vehicle, path)}),
+        ride_(simulation_.control_step()),
         judge_(vehicle, options.stop_at_violation),
         recorder_(options, rollout_) {
     simulation_.Place(start, heading, kSettleTime);
@@ -79,9 +81,12 @@ class Drive {
 
  private:
   void Advance() {
-    const DriverCommand command =
-        driver_.Update(simulation_.ViewForDriver(), simulation_.control_step(), driver_state_);
-    simulation_.Advance(command);
+    DriverView view = simulation_.ViewForDriver();
+    view.going.slip = last_sample_.slip;
+    view.going.sinkage = last_sample_.sinkage;
+    view.going.ground_slope = last_sample_.ground_slope;
+    view.going.vertical_acceleration = ride_.Update(simulation_.VerticalAcceleration());
+    simulation_.Advance(driver_.Update(view, simulation_.control_step(), driver_state_));
   }
 
   std::optional<Verdict> LookAround() {
@@ -94,6 +99,8 @@ class Drive {
     last_place_ = place;
     observation.sample.s = rollout_.distance;
     observation.sample.target_speed = driver_state_.target_speed;
+    observation.sample.absorbed_power = ride_.absorbed_power();
+    observation.sample.vertical_acceleration = ride_.TakePeak();
     last_sample_ = observation.sample;
     recorder_.Add(last_sample_);
     if (auto verdict =
@@ -133,6 +140,7 @@ class Drive {
   Simulation simulation_;
   Driver driver_;
   DriverState driver_state_;
+  RideMeter ride_;
   Judge judge_;
   Recorder recorder_;
   int judge_every_ = 1;

@@ -9,20 +9,27 @@
 namespace dbd {
 namespace {
 
-constexpr double kRolledOverUp = 0.26;      // cosine of 75 deg
-constexpr double kLoadTransferLimit = 0.9;  // terramechanics 10: no-go; 1 = a side lifts
-constexpr double kLoadTransferTime = 0.3;   // [s] shorter lifts are bumps, not tipping
-constexpr double kStuckTime = 6.0;          // [s] without kStuckDistance of progress
-constexpr double kStuckDistance = 0.5;      // [m]
+constexpr double kRolledOverUp = 0.26;     // cosine of 75 deg
+constexpr double kLoadTransferTime = 0.3;  // [s] shorter lifts are bumps, not tipping
+constexpr double kStuckTime = 6.0;         // [s] without kStuckDistance of progress
+constexpr double kStuckDistance = 0.5;     // [m]
+
+/// How people read a value.
+struct Unit {
+  double factor;
+  const char* symbol;
+};
+constexpr Unit kRatio{1, ""}, kMetre{1, " m"}, kDegree{ToDegrees(1.0), " deg"}, kWatt{1, " W"},
+    kGravities{1 / kGravity, " g"};
 
 /// Name, limit and value of a limit, in SI and as people read it.
 struct LimitValue {
   const char* name;
   double limit;
   double value;
-  bool is_angle;
-  bool is_least;  // the value must stay above the limit
-  double full;    // for least limits: the value that counts as full margin
+  Unit unit;
+  bool is_least = false;  // the value must stay above the limit
+  double full = 0;        // for least limits: the value that counts as full margin
 };
 
 double MarginOf(const LimitValue& v) {
@@ -31,24 +38,24 @@ double MarginOf(const LimitValue& v) {
 }
 
 std::string DescribeViolation(const LimitValue& v) {
-  const double scale = v.is_angle ? ToDegrees(1.0) : 1.0;
-  const char* unit = v.is_angle ? " deg" : v.limit == kLoadTransferLimit ? "" : " m";
   char text[160];
-  std::snprintf(text, sizeof(text), "%s %.3g%s, limit %.3g%s", v.name, v.value * scale, unit,
-                v.limit * scale, unit);
+  std::snprintf(text, sizeof(text), "%s %.3g%s, limit %.3g%s", v.name, v.value * v.unit.factor,
+                v.unit.symbol, v.limit * v.unit.factor, v.unit.symbol);
   return text;
 }
 
-std::array<LimitValue, 6> LimitValues(const VehicleModel& vehicle, const TraceSample& sample,
+std::array<LimitValue, 8> LimitValues(const VehicleModel& vehicle, const TraceSample& sample,
                                       double load_transfer) {
   const VehicleLimits& limits = vehicle.limits;
-  return {{{"roll", limits.max_roll, std::abs(sample.roll), true, false, 0},
-           {"pitch", limits.max_pitch, std::abs(sample.pitch), true, false, 0},
-           {"slope", limits.max_slope, sample.ground_slope, true, false, 0},
-           {"sinkage", limits.max_sinkage, sample.sinkage, false, false, 0},
-           {"clearance", limits.min_clearance, sample.clearance, false, true,
+  return {{{"roll", limits.max_roll, std::abs(sample.roll), kDegree},
+           {"pitch", limits.max_pitch, std::abs(sample.pitch), kDegree},
+           {"slope", limits.max_slope, sample.ground_slope, kDegree},
+           {"sinkage", limits.max_sinkage, sample.sinkage, kMetre},
+           {"clearance", limits.min_clearance, sample.clearance, kMetre, true,
             vehicle.outline.belly_height},
-           {"load_transfer", kLoadTransferLimit, load_transfer, false, false, 0}}};
+           {"load_transfer", limits.max_load_transfer, load_transfer, kRatio},
+           {"absorbed_power", limits.max_absorbed_power, sample.absorbed_power, kWatt},
+           {"shock", limits.max_shock, sample.vertical_acceleration, kGravities}}};
 }
 
 }  // namespace

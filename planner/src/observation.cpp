@@ -1,7 +1,6 @@
 #include "observation.h"
 
-#include <dbd/core/sinkage.h>
-#include <dbd/core/terramechanics.h>
+#include <dbd/core/mobility.h>
 #include <dbd/core/units.h>
 
 #include <algorithm>
@@ -59,14 +58,16 @@ double BellyClearance(const Terrain& terrain, const VehicleModel& vehicle,
   return least;
 }
 
-double DeepestSinkage(const VehicleModel& vehicle, const WheelViews& wheels) {
+double DeepestSinkage(const Terrain& terrain, const VehicleModel& vehicle,
+                      const WheelViews& wheels) {
   double deepest = 0;
   for (std::size_t i = 0; i < wheels.size(); ++i) {
-    const TireModel& tire = vehicle.wheels[i].tire;
-    if (wheels[i].load <= 0 || wheels[i].cone_index <= 0) continue;
-    deepest = std::max(
-        deepest, PoweredSinkage(wheels[i].cone_index, wheels[i].load, tire.width, 2 * tire.radius,
-                                wheels[i].deflection / tire.section_height));
+    const WheelView& wheel = wheels[i];
+    if (wheel.load <= 0) continue;
+    SoilSample soil = terrain.Soil(wheel.contact_W.x(), wheel.contact_W.y());
+    soil.cone_index = wheel.cone_index;
+    deepest = std::max(deepest, WheelSinkage(vehicle.wheels[i].tire, soil, wheel.load,
+                                             wheel.deflection, wheel.slip));
   }
   return deepest;
 }
@@ -129,7 +130,7 @@ Observation Observe(const Simulation& simulation, const Terrain& terrain,
   sample.pitch = chassis.pitch;
   sample.roll = chassis.roll;
   sample.speed = chassis.forward_speed;
-  sample.sinkage = DeepestSinkage(vehicle, wheels);
+  sample.sinkage = DeepestSinkage(terrain, vehicle, wheels);
   sample.clearance = BellyClearance(terrain, vehicle, chassis);
   sample.load_transfer_ratio = LoadTransferRatio(vehicle, wheels);
   sample.ground_slope = GroundSlope(terrain, vehicle, wheels);

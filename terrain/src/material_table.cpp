@@ -28,13 +28,48 @@ constexpr const char* kSchema = "dbd.materials/1";
 constexpr double kHardestKpa = 20000;
 constexpr double kHighestFriction = 1.5;
 
+BekkerSoil ParsePlate(const JsonObject& row) {
+  BekkerSoil soil;
+  soil.n = row.Number("n", 0.01, 3);
+  soil.kc = 1e3 * row.Number("kc_kn", 0, 1e6);
+  soil.kphi = 1e3 * row.Number("kphi_kn", 1e-3, 1e8);
+  soil.cohesion = Kilopascals(row.Number("cohesion_kpa", 0, 1e3));
+  soil.friction_angle = Degrees(row.Number("friction_angle_deg", 0, 60));
+  soil.shear_deformation = row.Number("shear_deformation", 1e-4, 1, soil.shear_deformation);
+  row.RefuseUnknownKeys();
+  return soil;
+}
+
+TractionModel ParseTractionModel(const JsonObject& row) {
+  const std::string name = row.Text("traction_model", "brixius");
+  if (name == "brixius") return TractionModel::kBrixius;
+  if (name == "wismer_luth") return TractionModel::kWismerLuth;
+  if (name == "bekker") return TractionModel::kBekker;
+  row.Fail("traction_model", "is \"" + name + "\", must be brixius, wismer_luth or bekker");
+}
+
+SoilSample ParseSoil(const JsonObject& row) {
+  SoilSample soil;
+  soil.traction_model = ParseTractionModel(row);
+  const bool has_plate = row.Has("plate");
+  if (has_plate) soil.plate = ParsePlate(row.Child("plate"));
+  if (soil.traction_model == TractionModel::kBekker && !has_plate) {
+    row.Fail("plate", "is missing, must be there for the traction model bekker");
+  }
+  if (has_plate && !row.Has("cone_index_kpa")) {
+    soil.cone_index = std::min(MeanConeIndexFromBekker(soil.plate), Kilopascals(kHardestKpa));
+  } else {
+    soil.cone_index = Kilopascals(row.Number("cone_index_kpa", 0, kHardestKpa));
+  }
+  soil.friction_limit = row.Number("friction_limit", 0, kHighestFriction, soil.friction_limit);
+  return soil;
+}
+
 Material ParseMaterial(const JsonObject& row) {
   Material material;
   material.code = row.Integer("code", 0, std::numeric_limits<int>::max());
   material.name = row.Text("name");
-  material.soil.cone_index = Kilopascals(row.Number("cone_index_kpa", 0, kHardestKpa));
-  material.soil.friction_limit =
-      row.Number("friction_limit", 0, kHighestFriction, material.soil.friction_limit);
+  material.soil = ParseSoil(row);
   material.cone_index_spread = row.Number("cone_index_spread", 0, 1, material.cone_index_spread);
   material.passable = row.Flag("passable", material.passable);
   material.source = row.Text("source", "assumed");

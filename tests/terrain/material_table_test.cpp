@@ -38,7 +38,8 @@ TEST(MaterialTable, HasUscsSoilsByMoisture) {
 }
 
 TEST(MaterialTable, NamesItsBuiltInTables) {
-  EXPECT_THAT(MaterialTable::BuiltInNames(), ElementsAre("basic", "forest-ponds", "uscs"));
+  EXPECT_THAT(MaterialTable::BuiltInNames(),
+              ElementsAre("basic", "forest-ponds", "plate-sinkage", "uscs"));
   EXPECT_FALSE(MaterialTable::Load("forest-ponds").FindCode(3)->passable);
 }
 
@@ -84,6 +85,30 @@ TEST_F(MaterialTableFile, RefusesWhatIsWrong) {
   EXPECT_THAT(Message(R"({"code": 1, "name": "a", "cone_index_kpa": 5, "passable": "no"})"),
               HasSubstr("true or false"));
   EXPECT_THAT(Message("{"), HasSubstr("not valid JSON"));
+}
+
+TEST(MaterialTable, PlateConstantsGiveTheConeIndex) {
+  const Material& sand = MaterialTable::Load("plate-sinkage").GetName("lete-sand");
+  EXPECT_EQ(sand.soil.traction_model, TractionModel::kBekker);
+  EXPECT_DOUBLE_EQ(sand.soil.plate.kphi, 5301e3);
+  EXPECT_NEAR(sand.soil.plate.friction_angle, 0.542797, 1e-6);  // 31.1 deg
+  EXPECT_NEAR(sand.soil.cone_index, 2182.12e3, 10);
+}
+
+TEST_F(MaterialTableFile, ChoosesTheTractionModel) {
+  const MaterialTable table = MaterialTable::Load(
+      directory_.Write("mine.json", R"({"schema": "dbd.materials/1", "materials": [
+        {"code": 1, "name": "a", "cone_index_kpa": 700},
+        {"code": 2, "name": "b", "cone_index_kpa": 700, "traction_model": "wismer_luth"}]})"));
+  EXPECT_EQ(table.GetName("a").soil.traction_model, TractionModel::kBrixius);
+  EXPECT_EQ(table.GetName("b").soil.traction_model, TractionModel::kWismerLuth);
+  EXPECT_THAT(Message(R"({"code": 1, "name": "a", "cone_index_kpa": 5, "traction_model": "x"})"),
+              HasSubstr("must be brixius, wismer_luth or bekker"));
+  EXPECT_THAT(Message(R"({"code": 1, "name": "a", "cone_index_kpa": 5,
+                          "traction_model": "bekker"})"),
+              HasSubstr("materials[0].plate: is missing"));
+  EXPECT_THAT(Message(R"({"code": 1, "name": "a", "plate": {"n": 1, "kc_kn": -1}})"),
+              HasSubstr("materials[0].plate.kc_kn: is -1"));
 }
 
 TEST_F(MaterialTableFile, RefusesOtherSchemasAndMissingFiles) {

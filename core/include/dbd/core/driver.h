@@ -1,5 +1,6 @@
 #pragma once
 
+#include <dbd/core/driver_care.h>
 #include <dbd/core/path.h>
 #include <dbd/core/vehicle_model.h>
 
@@ -8,7 +9,7 @@
 namespace dbd {
 
 // The driver (paper sections 4.7, 4.8, 5.1): pure pursuit of a path with Ackermann steering, and
-// proportional speed control within the engine's limits.
+// proportional speed control within the engine's limits, slower where the going is poor.
 
 struct DriverOptions {
   double target_speed = 5.0;        ///< on open ground [m/s]
@@ -22,6 +23,7 @@ struct DriverOptions {
   bool stop_at_end = true;          ///< of the path
   /// Limits that the ground sets, every `kSpeedLimitSpacing` along the path [m/s]; may be empty.
   std::vector<double> speed_limits = {};
+  CareOptions care = {};
 };
 
 /// Spacing of `DriverOptions::speed_limits` along the path [m].
@@ -32,6 +34,7 @@ struct DriverView {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< of the rear axle's middle, in W
   double heading = 0;
   double speed = 0;  ///< forward [m/s]
+  GoingView going = {};
 };
 
 struct DriverCommand {
@@ -46,6 +49,7 @@ struct DriverState {
   double integral = 0;      ///< of the speed error [N m]
   double target_speed = 0;  ///< in force now
   bool arrived = false;     ///< standing at the end
+  CareState care = {};
 };
 
 class Driver {
@@ -63,7 +67,7 @@ class Driver {
 
  private:
   double Steer(const DriverView& view, DriverState& state) const;
-  double TargetSpeed(const DriverView& view, const DriverState& state) const;
+  double TargetSpeed(const DriverView& view, double dt, DriverState& state) const;
   void BuildSpeedProfile();
 
   const VehicleModel& vehicle_;

@@ -1,13 +1,20 @@
 #pragma once
 
+#include <dbd/core/bekker.h>
+
 #include <limits>
 
 namespace dbd {
+
+/// Which relations give traction and motion resistance on a soil.
+enum class TractionModel { kBrixius, kWismerLuth, kBekker };
 
 /// What the tire model needs to know of the soil at one place.
 struct SoilSample {
   double cone_index = 1.8e6;     ///< mean cone index of the top 0.15 m [Pa]
   double friction_limit = 0.88;  ///< upper bound of the gross traction ratio [-]
+  TractionModel traction_model = TractionModel::kBrixius;
+  BekkerSoil plate = {};  ///< read by kBekker alone
 };
 
 /// The ground as the engine sees it: implemented by the terrain module and by test surfaces.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <dbd/core/ground.h>
+#include <dbd/core/sinkage.h>
 #include <dbd/core/vehicle_model.h>
 
 namespace dbd {
@@ -13,7 +14,13 @@ namespace dbd {
 /// traction allows is atan of this value.
 double MaxNetTractionRatio(const VehicleModel& vehicle, const SoilSample& soil);
 
-/// Deepest static sinkage of any wheel [m], fine-grained soil (terramechanics 6.1 calibrated form).
+/// Sinkage [m] of one wheel on a soil: `OperatingSinkage`, or Bekker's wheel where the soil asks
+/// for it. `pass`: how many wheels of the track there were, this one included; counts only with the
+/// multipass option.
+double WheelSinkage(const TireModel& tire, const SoilSample& soil, double load, double deflection,
+                    double slip, int pass = 1, const SinkageOptions& options = {});
+
+/// Deepest sinkage [m] of any wheel under its static load, without more slip than it needs to move.
 double StaticSinkage(const VehicleModel& vehicle, const SoilSample& soil);
 
 /// Steepest side slope on which the vehicle does not tip over, atan(track / 2 h) [rad].

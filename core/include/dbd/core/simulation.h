@@ -86,7 +86,10 @@ class Simulation {
   double control_step() const;
   ChassisView Chassis() const;
   WheelView Wheel(int index) const;
+  /// Without the going: who drives carefully adds what is observed of it.
   DriverView ViewForDriver() const;
+  /// Of the chassis along its z axis, without gravity, mean over the last control step [m/s^2].
+  double VerticalAcceleration() const;
   const PowertrainState& powertrain() const;
 
   double SpringForce(int index) const;  ///< of the last step, compression positive [N]

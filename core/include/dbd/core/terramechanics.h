@@ -15,6 +15,11 @@ double WheelNumeric(double cone_index, double load, double width, double diamete
 double BrixiusMobilityNumber(double cone_index, double load, double width, double diameter,
                              double deflection_ratio);
 
+/// The coefficient sets of bias and radial tires (Zoz & Grisso 2003). Confidence: bias one source,
+/// radial provisional: 9.5 is the middle of the 8.5-10.5 in use.
+BrixiusCoefficients BiasCoefficients();
+BrixiusCoefficients RadialCoefficients();
+
 /// Gross traction / load: axle torque = r GTR W. Odd in slip except for the carcass term.
 double GrossTractionRatio(const BrixiusCoefficients& coefficients, double mobility, double slip);
 

@@ -14,6 +14,9 @@ struct VehicleLimits {
   double min_clearance = 0.02;  ///< between belly and ground [m]
   double max_speed = 15.0;      ///< a driver's limit, below the powertrain's [m/s]
   double max_lateral_acceleration = 3.0;  ///< in curves [m/s^2]
+  double max_load_transfer = 0.9;         ///< (left - right)/(left + right) load; 1 = a side lifts
+  double max_absorbed_power = 6.0;        ///< vertical, mean over 10 s [W]: the usual ride limit
+  double max_shock = 2.5 * 9.81;          ///< peak vertical acceleration below 30 Hz [m/s^2]
 };
 
 /// The vehicle's box in the chassis frame, as seen in its design pose. Lengths [m].

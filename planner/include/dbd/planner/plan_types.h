@@ -89,11 +89,15 @@ struct TraceSample {
   double load_transfer_ratio = 0;   ///< 0 even, 1 a side lifts
   double ground_slope = 0;          ///< steepest direction, under the vehicle
   double power = 0;                 ///< at the driven wheels [W]
+  double absorbed_power = 0;        ///< vertical, mean over the last 10 s [W]
+  /// Largest vertical acceleration below 30 Hz since the judge last looked [m/s^2].
+  double vertical_acceleration = 0;
 };
 
 /// One limit of the certificate: the worst value met and where.
 struct LimitMargin {
-  std::string name;  ///< "roll", "pitch", "slope", "sinkage", "clearance", "load_transfer"
+  std::string name;  ///< "roll", "pitch", "slope", "sinkage", "clearance", "load_transfer",
+                     ///< "absorbed_power", "shock"
   double limit = 0;
   double worst = 0;
   double margin = 1;  ///< share of the limit that is left; negative = exceeded

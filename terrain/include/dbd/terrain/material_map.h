@@ -28,7 +28,14 @@ struct Material {
 ///        "cone_index_spread": 0.2, "passable": true, "source": "assumed"}]}
 ///
 /// `code`, `name` and `cone_index_kpa` must be there; the others default to Material's and
-/// SoilSample's values, `source` to "assumed".
+/// SoilSample's values, `source` to "assumed". "traction_model" is brixius (default), wismer_luth
+/// or bekker. Plate and shear constants, which bekker needs, are an object "plate":
+///
+///     "plate": {"n": 1.1, "kc_kn": 0.99, "kphi_kn": 1528.43, "cohesion_kpa": 1.04,
+///               "friction_angle_deg": 28, "shear_deformation": 0.02}
+///
+/// (kc in kN/m^(n+1), kphi in kN/m^(n+2), shear_deformation in m). With them the cone index may be
+/// left out: it then follows from `MeanConeIndexFromBekker`.
 class MaterialTable {
  public:
   /// `name_or_file`: a built-in table's name or a path. Throws InputError.
