@@ -38,7 +38,9 @@ Scenario MakeScenarioAsAsked(const ScenarioArguments& arguments) {
   if (arguments.terrain.ends_with(".csv")) {
     scenario.ground = ReadGridGround(arguments.terrain);
   } else if (!arguments.terrain.empty()) {
-    scenario.ground = LoadTerrain({.elevation = arguments.terrain});
+    TerrainFiles files;
+    files.elevation = arguments.terrain;
+    scenario.ground = LoadTerrain(files);
   }
   return scenario;
 }
