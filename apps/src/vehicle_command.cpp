@@ -4,6 +4,7 @@
 #include <dbd/core/vehicle_database.h>
 #include <dbd/core/vehicle_report.h>
 
+#include <cmath>
 #include <cstdio>
 
 #include "cli.h"
@@ -41,19 +42,46 @@ void PrintStatics(const VehicleModel& vehicle, const VehicleReport& report) {
   }
 }
 
-void PrintPerformance(const VehicleReport& report) {
+void PrintRanges(const VehicleModel& vehicle, const VehicleReport& report) {
+  for (const RangeReport& range : report.ranges) {
+    std::printf("  %-4s range (%.2f)       %.1f m/s, %.1f deg by torque%s\n", range.name.c_str(),
+                range.ratio, range.top_speed, ToDegrees(range.power_grade),
+                range.name == vehicle.powertrain.range ? ", in use" : "");
+  }
+}
+
+void PrintPerformance(const VehicleModel& vehicle, const VehicleReport& report) {
   std::printf("  top speed by gearing    %.1f m/s (%.0f km/h)\n", report.top_speed,
               3.6 * report.top_speed);
   std::printf("  steepest grade          %.1f deg by traction on firm soil, %.1f deg by torque\n",
               ToDegrees(report.traction_grade), ToDegrees(report.power_grade));
+  PrintRanges(vehicle, report);
   std::printf("  side slope              %.1f deg static stability\n",
               ToDegrees(report.stability_angle));
   std::printf("  turning radius          %.2f m\n", report.min_turning_radius);
 }
 
+/// Milliseconds in a column; a dash where the group has no such motion.
+std::string Milliseconds(double step) {
+  if (!std::isfinite(step)) return "-";
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.2f", 1e3 * step);
+  return text;
+}
+
+void PrintCriticalGroups(const VehicleReport& report) {
+  std::printf("  critical steps [ms]     %-30s count  translational  rotational\n", "elements");
+  for (const CriticalGroup& group : report.critical_groups) {
+    std::printf("                          %-30s %5d  %13s  %10s\n", group.name.c_str(),
+                group.count, Milliseconds(group.translational).c_str(),
+                Milliseconds(group.rotational).c_str());
+  }
+}
+
 void PrintDynamics(const VehicleModel& vehicle, const VehicleReport& report) {
+  PrintCriticalGroups(report);
   std::printf(
-      "  critical steps          %.2f ms translational, %.2f ms rotational, %.2f ms for the "
+      "  least critical steps    %.2f ms translational, %.2f ms rotational, %.2f ms for the "
       "fastest mode\n",
       1e3 * report.critical_translational, 1e3 * report.critical_rotational,
       1e3 * report.fastest_mode_limit);
@@ -72,7 +100,7 @@ int RunVehicleCheck(const std::string& name_or_file) {
   const auto vehicle = LoadVehicle(name_or_file);
   const VehicleReport report = CheckVehicle(*vehicle);
   PrintStatics(*vehicle, report);
-  PrintPerformance(report);
+  PrintPerformance(*vehicle, report);
   PrintDynamics(*vehicle, report);
   return kExitOk;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <dbd/core/vehicle_model.h>
+#include <dbd/core/vehicle_report.h>
 
 namespace dbd {
 
@@ -11,6 +12,9 @@ struct CriticalStep {
 };
 
 CriticalStep CriticalStepOf(const VehicleModel& vehicle, const LinkModel& link);
+
+/// The critical steps of all force elements, by kind and body.
+std::vector<CriticalGroup> GroupCriticalSteps(const VehicleModel& vehicle);
 
 /// The paper's rule, t_cr / 3 over the force elements of each group, rounded down to half a
 /// millisecond. Capped by what was measured to stay accurate: tire geometry 4 ms, control 4 ms.

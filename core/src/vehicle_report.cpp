@@ -36,6 +36,7 @@ void Settle(const VehicleModel& vehicle, VehicleReport& report) {
 }
 
 void FindCriticalSteps(const VehicleModel& vehicle, VehicleReport& report) {
+  report.critical_groups = GroupCriticalSteps(vehicle);
   report.critical_translational = std::numeric_limits<double>::infinity();
   report.critical_rotational = std::numeric_limits<double>::infinity();
   for (const LinkModel& link : vehicle.links) {
@@ -60,6 +61,13 @@ double PowerGrade(const VehicleModel& vehicle) {
   return std::asin(std::clamp(force / weight, 0.0, 1.0));
 }
 
+void FindRanges(VehicleModel vehicle, VehicleReport& report) {
+  for (const PowertrainModel::Range& range : vehicle.powertrain.ranges) {
+    vehicle.powertrain.transfer_ratio = range.ratio;
+    report.ranges.push_back({range.name, range.ratio, TopSpeed(vehicle), PowerGrade(vehicle)});
+  }
+}
+
 }  // namespace
 
 VehicleReport CheckVehicle(const VehicleModel& vehicle) {
@@ -74,6 +82,7 @@ VehicleReport CheckVehicle(const VehicleModel& vehicle) {
   report.top_speed = TopSpeed(vehicle);
   report.traction_grade = std::atan(std::max(0.0, MaxNetTractionRatio(vehicle, SoilSample{})));
   report.power_grade = PowerGrade(vehicle);
+  FindRanges(vehicle, report);
   report.stability_angle = StaticStabilityAngle(vehicle);
   report.min_turning_radius = vehicle.min_turning_radius();
   return report;
