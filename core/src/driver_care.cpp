@@ -27,9 +27,14 @@ double CarefulSpeed(const CareOptions& options, const VehicleLimits& limits, con
   const double a = going.vertical_acceleration;
   state.slip += blend * (std::abs(going.slip) - state.slip);
   state.mean_square += blend * (a * a - state.mean_square);
+  const double climbing = std::clamp(
+      (going.climb - options.climb_begin) / (options.climb_full - options.climb_begin), 0.0, 1.0);
+  const double share = WantedShare(options, limits, going, state);
+  const double wanted = share + climbing * (1 - share);
   const double fall = options.deceleration * dt / std::max(speed_limit, options.least_speed);
-  const double wanted = WantedShare(options, limits, going, state);
-  state.share = std::clamp(wanted, state.share - fall, state.share + options.recovery_rate * dt);
+  const double recovery =
+      options.recovery_rate + climbing * (options.climb_recovery_rate - options.recovery_rate);
+  state.share = std::clamp(wanted, state.share - fall, state.share + recovery * dt);
   return std::min(speed_limit, std::max(options.least_speed, state.share * speed_limit));
 }
 

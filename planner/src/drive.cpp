@@ -85,6 +85,7 @@ class Drive {
     view.going.slip = last_sample_.slip;
     view.going.sinkage = last_sample_.sinkage;
     view.going.ground_slope = last_sample_.ground_slope;
+    view.going.climb = -last_sample_.pitch;
     view.going.vertical_acceleration = ride_.Update(simulation_.VerticalAcceleration());
     simulation_.Advance(driver_.Update(view, simulation_.control_step(), driver_state_));
   }

@@ -136,8 +136,8 @@ TEST(TireForce, SteadySlipAngleIsTheRatioOfSpeeds) {
   w.wheel.spin = 5 / w.Law().rolling_radius;
   const TireLaw<double> law = w.Steady();
   EXPECT_NEAR(w.wheel.slip_angle, 0.1, 1e-9);
-  // 0.8 / 0.88 of the capacity, 1 - e^(-7 * angle); the damper adds 0.02/0.3/26 * 0.5 = 0.00128.
-  const double expected = 0.8 / 0.88 * law.traction_limit * (1 - std::exp(-7 * 0.10128));
+  // 0.8 / 0.88 of the capacity, 1 - e^(-7 * angle); the damper adds 0.04/0.3/26 * 0.5 = 0.00256.
+  const double expected = 0.8 / 0.88 * law.traction_limit * (1 - std::exp(-7 * 0.10256));
   EXPECT_NEAR(-law.lateral, expected, 0.002 * expected);
 }
 

@@ -13,6 +13,7 @@ struct GoingView {
   double slip = 0;                   ///< largest of the driven wheels, signed
   double sinkage = 0;                ///< of the deepest wheel [m]
   double ground_slope = 0;           ///< under the vehicle, steepest direction [rad]
+  double climb = 0;                  ///< grade along the heading, uphill positive [rad]
   double vertical_acceleration = 0;  ///< of the chassis, without gravity [m/s^2]
 };
 
@@ -30,12 +31,17 @@ struct CareOptions {
   CareRule slope = {0.7, 1.0, 0.6};    ///< of the vehicle's limit
   /// Root mean square of the vertical acceleration [m/s^2]: from the value that gives 6 W of
   /// absorbed power at the most sensitive frequency (1.69 at 4-5 Hz) to twice that.
-  CareRule ride = {1.7, 3.4, 0.4};
+  CareRule ride = {1.5, 3.0, 0.4};
+  /// Uphill momentum is worth more than care: what the rules take off is given back between these
+  /// grades [rad].
+  double climb_begin = 0.09;
+  double climb_full = 0.21;
   double smoothing_time = 1.0;  ///< of slip and ride [s], so that single bumps count little
-  double deceleration = 1.0;    ///< the target falls no faster than this [m/s^2]
+  double deceleration = 1.5;    ///< the target falls no faster than this [m/s^2]
   /// And it rises this slowly, in shares of the speed per second: the hysteresis that keeps the
   /// driver from hunting at the edge of a rule.
   double recovery_rate = 0.1;
+  double climb_recovery_rate = 0.5;  ///< the same from `climb_full` on
   /// Care never asks for less than this [m/s]. It lowers the target speed, never the torque that
   /// holding it takes, so that a climb goes on.
   double least_speed = 1.5;
