@@ -3,6 +3,7 @@
 #include <dbd/core/units.h>
 #include <dbd/core/vehicle_database.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "axle_file.h"
@@ -118,6 +119,17 @@ void CheckWhole(const JsonObject& root, const VehicleModel& vehicle) {
   if (vehicle.wheelbase() <= 0.01) root.Fail("axles", "all have the same place");
 }
 
+/// A body without links would fall off the vehicle.
+void CheckBodiesAreHeld(const JsonObject& root, const VehicleModel& vehicle) {
+  for (int body = 1; body < static_cast<int>(vehicle.bodies.size()); ++body) {
+    const bool held = std::any_of(vehicle.links.begin(), vehicle.links.end(),
+                                  [&](const LinkModel& link) { return link.body_b == body; });
+    if (held) continue;
+    root.Fail("axles", "nothing holds the \"" + vehicle.bodies[body].name +
+                           "\": it needs links or a connection");
+  }
+}
+
 }  // namespace
 
 std::shared_ptr<const VehicleModel> ParseVehicle(const std::string& text,
@@ -135,6 +147,7 @@ std::shared_ptr<const VehicleModel> ParseVehicle(const std::string& text,
   vehicle->powertrain = ReadPowertrain(root.Child("powertrain"));
   TrimWheelLoads(origin, *vehicle);  // sets the heights of the axles that connections refer to
   ReadElements(root, *vehicle);
+  CheckBodiesAreHeld(root, *vehicle);
   TrimFreeLengths(*vehicle);
   vehicle->steps = ChooseStepSizes(*vehicle);
   if (root.Has("steps")) ReadSteps(root.Child("steps"), vehicle->steps);
