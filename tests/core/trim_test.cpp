@@ -50,7 +50,9 @@ TEST(Trim, LeftAndRightAreEqual) {
   EXPECT_NEAR(v.springs[2].free_length, v.springs[3].free_length, 1e-12);
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR(v.links[i].free_length, v.links[4 + i].free_length, 1e-12);
-    EXPECT_NEAR(v.links[8 + i].free_length, v.links[12 + i].free_length, 1e-12);
+  }
+  for (std::size_t i = 8; i < 13; ++i) {  // four arm links and a tie rod on each side
+    EXPECT_NEAR(v.links[i].free_length, v.links[5 + i].free_length, 1e-12);
   }
 }
 

@@ -68,7 +68,7 @@ INSTANTIATE_TEST_SUITE_P(
                 [](json& f) {
                   f["chassis"]["center_of_mass"] = {2.35, 0, 0.094};
                 },
-                R"(tomcar-tm27: wheel "rear left" carries -)"},
+                R"(v.json: axles: wheel "rear left" carries -)"},
         BadFile{"UnknownSuspension", [](json& f) { f["axles"][0]["suspension"]["type"] = "leaf"; },
                 R"(v.json: axles[0].suspension.type: is "leaf", must be )"},
         BadFile{"UnknownDifferential",
@@ -115,7 +115,7 @@ TEST(VehicleFile, RefusesTextThatIsNotJson) {
 TEST(VehicleFile, ReadsTheTm27) {
   const VehicleModel& v = Tm27();
   EXPECT_EQ(v.bodies.size(), 5u);  // chassis and four wheel carriers
-  EXPECT_EQ(v.links.size(), 16u);  // four for each wheel
+  EXPECT_EQ(v.links.size(), 18u);  // four for each wheel and two tie rods
   EXPECT_EQ(v.springs.size(), 4u);
   EXPECT_EQ(v.joints.size(), 6u);  // toe everywhere, camber at the rear
   EXPECT_EQ(v.wheels.size(), 4u);
