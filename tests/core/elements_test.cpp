@@ -36,7 +36,7 @@ class TwoBodies : public ::testing::Test {
     Workspace<double> work(vehicle);
     for (std::size_t i = 0; i < 2; ++i) work.R_WB[i] = RotationMatrix(state.bodies[i].q_WB);
     AddSpringForces(vehicle, state, work, work.wrench);
-    AddLinkForces(vehicle, state, work);
+    AddLinkForces(vehicle, WheelControls<double>{}, state, work);
     AddJointTorques(vehicle, WheelControls<double>{}, state, work);
     link_force = work.link_force;
     return work.wrench;

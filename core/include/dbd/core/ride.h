@@ -41,7 +41,9 @@ class AbsorbedPower {
   explicit AbsorbedPower(double step);
   /// `acceleration`: vertical, without gravity [m/s^2].
   void Update(double acceleration);
-  double mean() const { return sum_ / kWindow; }
+  /// Over the last `kWindow`, what has not been driven counting as still; the oldest bin ends
+  /// when a new one begins, so that the window is up to one bin shorter.
+  double mean() const { return sum_ / (kWindow - kWindow / kBins + bin_time_); }
 
  private:
   static constexpr int kBins = 100;
