@@ -18,9 +18,9 @@ namespace dbd {
 // - Spin is advanced semi-implicitly, and the same updated force acts on the wheel's body.
 // - The deflection follows the hub along the contact normal between samples (SPLIT).
 
-// Large enough to calm a braked vehicle that stands nose down, small enough for the step of light
-// wheels.
-inline constexpr double kBristleTime = 0.03;     // [s]
+// Large enough that the springs under a braked, parked vehicle and its bounce and pitch near 2 Hz
+// do not drive each other, as they do below 0.03 s, nose down on 8 to 15 deg.
+inline constexpr double kBristleTime = 0.04;     // [s]
 inline constexpr double kBristleSpeed = 1.0;     // [m/s] where the bristle damper has halved
 inline constexpr double kResistanceSpeed = 0.1;  // [m/s] over which resistance changes its sign
 inline constexpr double kEllipseFloor = 0.02;    // least share of (lateral / full)^2
@@ -63,20 +63,10 @@ Real NormalLoad(const TireModel& tire, const TireContact<Real>& contact, const V
   return Select(deflection > zero, Max(touching, zero), zero);
 }
 
-/// The load that scales the shear springs. Rolling, it is the wheel load. Standing, it is the
-/// static one: springs whose stiffness followed every change of the load would couple bounce and
-/// pitch with the fore-aft motion and drive a braked vehicle, nose down, into growing oscillation.
-template <class Real>
-Real BristleLoad(const Real& load, const Real& standing_load, const Real& relative_speed) {
-  const Real standing = Real(1) / (Real(1) + relative_speed * relative_speed);
-  const Real blended = load + standing * (standing_load - load);
-  return Select(load > Real(0), blended, Real(0));
-}
-
 /// Longitudinal part: relaxed slip, traction and its slope against spin.
 template <class Real>
 void SetTraction(const TireModel& tire, const WheelState<Real>& wheel, const Real& vx, double step,
-                 const Real& standing_load, const Real& capacity, TireLaw<Real>& law) {
+                 TireLaw<Real>& law) {
   using S = ScalarOf<Real>;
   const Real one(1);
   const double sigma = tire.relaxation_length;
@@ -90,18 +80,15 @@ void SetTraction(const TireModel& tire, const WheelState<Real>& wheel, const Rea
 
   const Real relaxed = Clamp(law.slip_base + law.slip_gain * wheel.spin, Real(-1), one);
   const Real slip = Clamp(relaxed + damper * (u - vx), Real(-1), one);
-  const Real scale = capacity * BristleLoad(law.load, standing_load, low);
-  const ShearForce<Real> shear = ShearAt(law.curve, scale, slip);
-  const Real force = Min(shear.force, law.traction_limit);
-  law.traction0 = Select(slip < Real(0), Real(-1) * force, force);
+  const ShearForce<Real> shear = ShearAt(law.curve, law.traction_limit, slip);
+  law.traction0 = Select(slip < Real(0), Real(-1) * shear.force, shear.force);
   law.traction_by_spin = shear.stiffness * (law.slip_gain + damper * law.rolling_radius);
 }
 
 /// Lateral part: relaxed slip angle, exponential law, ellipse with the traction in use.
 template <class Real>
 void SetLateral(const TireModel& tire, const Real& vx, const Real& vy, double step,
-                const Real& standing_load, const Real& capacity, WheelState<Real>& wheel,
-                TireLaw<Real>& law) {
+                const Real& capacity, WheelState<Real>& wheel, TireLaw<Real>& law) {
   using S = ScalarOf<Real>;
   const Real one(1);
   const Real ratio{S(step / tire.relaxation_length)};
@@ -112,10 +99,8 @@ void SetLateral(const TireModel& tire, const Real& vx, const Real& vy, double st
   const Real angle = wheel.slip_angle + damper * vy;
   const Real use = law.traction0 / Max(law.traction_limit, Real(S(kLeastLoad)));
   const Real ellipse = Sqrt(Max(one - use * use, Real(S(kEllipseFloor))));
-  const Real share = Real(S(tire.lateral_limit / tire.traction.traction_max)) * capacity;
-  const Real scale = share * BristleLoad(law.load, standing_load, low);
-  const Real shear = scale * (one - Exp(Real(S(-tire.lateral_rate)) * Abs(angle)));
-  const Real size = ellipse * Min(shear, share * law.load);
+  const Real limit = Real(S(tire.lateral_limit / tire.traction.traction_max)) * capacity * law.load;
+  const Real size = limit * ellipse * (one - Exp(Real(S(-tire.lateral_rate)) * Abs(angle)));
   law.lateral = Select(angle < Real(0), size, Real(-1) * size);
 }
 
@@ -145,9 +130,8 @@ TireLaw<Real> EvaluateTire(const WheelModel& model, const BodyState<Real>& body,
   SelectTractionModel(tire, contact, law.load, law.curve);
   const Real capacity = Min(law.curve.capacity, contact.friction_limit);
   law.traction_limit = capacity * law.load;
-  const Real standing_load{S(model.static_load)};
-  SetTraction(tire, wheel, vx, step, standing_load, capacity, law);
-  SetLateral(tire, vx, vy, step, standing_load, capacity, wheel, law);
+  SetTraction(tire, wheel, vx, step, law);
+  SetLateral(tire, vx, vy, step, capacity, wheel, law);
 
   const Real v1{S(kResistanceSpeed)};
   const Real rolling = law.load * vx / Sqrt(vx * vx + v1 * v1);
