@@ -1,5 +1,6 @@
 #pragma once
 
+#include "attachment_points.h"
 #include "curve.h"
 #include "engine_state.h"
 
@@ -8,14 +9,6 @@ namespace dbd {
 // The force elements that join bodies: links, suspension springs and axis joints. Each adds equal
 // and opposite forces to its two bodies.
 
-/// A point fixed to a body: lever arm from the body's centre of mass, place and velocity in W.
-template <class Real>
-struct BodyPoint {
-  Vec3<Real> lever;
-  Vec3<Real> p;
-  Vec3<Real> v;
-};
-
 template <class Real>
 BodyPoint<Real> PointOn(const BodyState<Real>& body, const Mat3<Real>& R_WB,
                         const Eigen::Vector3d& p_BP) {
@@ -23,16 +16,27 @@ BodyPoint<Real> PointOn(const BodyState<Real>& body, const Mat3<Real>& R_WB,
   return {lever, body.p_WB + lever, body.v_WB + Cross(body.w_WB, lever)};
 }
 
+/// Brings the attachment points to the present pose and motion of their bodies.
+template <class Real>
+void MovePoints(const AttachmentPoints& attachments, const EngineState<Real>& state,
+                Workspace<Real>& work) {
+  const auto& points = attachments.points();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const int body = points[i].body;
+    work.points[i] = PointOn(state.bodies[body], work.R_WB[body], points[i].p_B);
+  }
+}
+
 /// Stiff spring-dampers in the place of arms and joints: F = k (L - L0) + c dL/dt, tension
 /// positive (paper section 4.2).
 template <class Real>
-void AddLinkForces(const VehicleModel& model, const WheelControls<Real>& controls,
-                   const EngineState<Real>& state, Workspace<Real>& work) {
+void AddLinkForces(const VehicleModel& model, const AttachmentPoints& attachments,
+                   const WheelControls<Real>& controls, Workspace<Real>& work) {
   using S = ScalarOf<Real>;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     const LinkModel& link = model.links[i];
-    const auto a = PointOn(state.bodies[link.body_a], work.R_WB[link.body_a], link.p_A);
-    const auto b = PointOn(state.bodies[link.body_b], work.R_WB[link.body_b], link.p_B);
+    const AttachmentPoints::LinkEnds ends = attachments.links()[i];
+    const BodyPoint<Real>&a = work.points[ends.a], &b = work.points[ends.b];
     const Vec3<Real> d = b.p - a.p;
     const Real length = Norm(d);
     const Vec3<Real> direction = (Real(1) / length) * d;
@@ -45,8 +49,8 @@ void AddLinkForces(const VehicleModel& model, const WheelControls<Real>& control
     const Real tension = Real(S(link.stiffness)) * (length - free_length) +
                          Real(S(link.damping)) * Dot(b.v - a.v, direction);
     const Vec3<Real> f = tension * direction;
-    work.wrench[link.body_a].Add(f, a.lever);
-    work.wrench[link.body_b].Add(Real(-1) * f, b.lever);
+    work.point_force[ends.a] += f;
+    work.point_force[ends.b] -= f;
     work.link_force[i] = tension;
   }
 }
@@ -80,29 +84,49 @@ Real StrutForce(const SpringModel& spring, const Real& length, const Real& rate)
   return elastic + viscous + StopForce(spring.bump_stop, length, rate);
 }
 
-/// Suspension springs and shock absorbers, shared between pivot and wheel body by the lever.
+/// Suspension springs and shock absorbers: the push of each at the present time, to be held.
 template <class Real>
-void AddSpringForces(const VehicleModel& model, const EngineState<Real>& state,
-                     Workspace<Real>& work, std::vector<Wrench<Real>>& wrench) {
+void UpdateSprings(const VehicleModel& model, const AttachmentPoints& attachments,
+                   Workspace<Real>& work) {
   using S = ScalarOf<Real>;
   for (std::size_t i = 0; i < model.springs.size(); ++i) {
     const SpringModel& spring = model.springs[i];
-    const BodyState<Real>& body_a = state.bodies[spring.body_a];
-    const Mat3<Real>& R_WA = work.R_WB[spring.body_a];
-    const auto top = PointOn(body_a, R_WA, spring.p_A);
-    const auto pivot = PointOn(body_a, R_WA, spring.p_Q);
-    const auto ball = PointOn(state.bodies[spring.body_b], work.R_WB[spring.body_b], spring.p_B);
+    const AttachmentPoints::SpringEnds ends = attachments.springs()[i];
+    const BodyPoint<Real>&top = work.points[ends.top], &pivot = work.points[ends.pivot],
+          &ball = work.points[ends.ball];
     const Real f(S(spring.lever)), g(S(1 - spring.lever));
     const Vec3<Real> d = g * pivot.p + f * ball.p - top.p;
     const Vec3<Real> rate = g * pivot.v + f * ball.v - top.v;
     const Real length = Norm(d);
     const Vec3<Real> direction = (Real(1) / length) * d;
-    const Real push = StrutForce(spring, length, Dot(rate, direction));
-    const Vec3<Real> force = push * direction;
-    wrench[spring.body_a].Add(Real(-1) * force, top.lever);
-    wrench[spring.body_a].Add(g * force, pivot.lever);
-    wrench[spring.body_b].Add(f * force, ball.lever);
-    work.spring_force[i] = push;
+    work.spring_force[i] = StrutForce(spring, length, Dot(rate, direction));
+    work.spring_push_W[i] = work.spring_force[i] * direction;
+  }
+}
+
+/// The held pushes, shared between pivot and wheel body by the lever.
+template <class Real>
+void AddSpringForces(const VehicleModel& model, const AttachmentPoints& attachments,
+                     Workspace<Real>& work) {
+  using S = ScalarOf<Real>;
+  for (std::size_t i = 0; i < model.springs.size(); ++i) {
+    const AttachmentPoints::SpringEnds ends = attachments.springs()[i];
+    const Vec3<Real> push = work.spring_push_W[i];
+    work.point_force[ends.top] -= push;
+    work.point_force[ends.pivot] += Real(S(1 - model.springs[i].lever)) * push;
+    work.point_force[ends.ball] += Real(S(model.springs[i].lever)) * push;
+  }
+}
+
+/// Sums the forces on each body's points into its wrench, which begins anew.
+template <class Real>
+void GatherPointForces(const AttachmentPoints& attachments, Workspace<Real>& work) {
+  for (std::size_t body = 0; body < work.wrench.size(); ++body) {
+    Wrench<Real> sum{};
+    for (std::size_t i = attachments.first()[body]; i < attachments.first()[body + 1]; ++i) {
+      sum.Add(work.point_force[i], work.points[i].lever);
+    }
+    work.wrench[body] = sum;
   }
 }
 

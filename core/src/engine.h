@@ -15,7 +15,9 @@ namespace dbd {
 /// What is constant for one vehicle and one choice of steps.
 struct EngineModel {
   explicit EngineModel(const VehicleModel& vehicle_model)
-      : vehicle(&vehicle_model), step(vehicle_model.steps.construction) {
+      : vehicle(&vehicle_model),
+        attachments(vehicle_model),
+        step(vehicle_model.steps.construction) {
     for (const WheelModel& wheel : vehicle->wheels) {
       patterns.push_back(MakeTirePattern(wheel.tire));
     }
@@ -26,6 +28,7 @@ struct EngineModel {
   }
 
   const VehicleModel* vehicle;
+  AttachmentPoints attachments;
   std::vector<TirePattern> patterns;
   double gravity = kGravity;
   double step;
@@ -46,12 +49,12 @@ template <class Real>
 void SetElementForces(const EngineModel& engine, const WheelControls<Real>& controls,
                       const EngineState<Real>& state, Workspace<Real>& work) {
   const VehicleModel& model = *engine.vehicle;
-  if (state.step % engine.spring_every == 0) {
-    for (Wrench<Real>& wrench : work.spring_wrench) wrench.Clear();
-    AddSpringForces(model, state, work, work.spring_wrench);
-  }
-  work.wrench = work.spring_wrench;
-  AddLinkForces(model, controls, state, work);
+  MovePoints(engine.attachments, state, work);
+  std::fill(work.point_force.begin(), work.point_force.end(), Vec3<Real>{});
+  if (state.step % engine.spring_every == 0) UpdateSprings(model, engine.attachments, work);
+  AddSpringForces(model, engine.attachments, work);
+  AddLinkForces(model, engine.attachments, controls, work);
+  GatherPointForces(engine.attachments, work);
   AddJointTorques(model, controls, state, work);
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "attachment_points.h"
 #include "vec.h"
 
 namespace dbd {
@@ -91,6 +92,14 @@ struct Wrench {
   }
 };
 
+/// A point fixed to a body: lever arm from the body's centre of mass, place and velocity in W.
+template <class Real>
+struct BodyPoint {
+  Vec3<Real> lever;
+  Vec3<Real> p;
+  Vec3<Real> v;
+};
+
 /// Results of the tire force law that others report: per wheel, of the last step.
 template <class Real>
 struct TireReport {
@@ -107,10 +116,12 @@ struct TireReport {
 template <class Real>
 struct Workspace {
   std::vector<Mat3<Real>> R_WB;
-  std::vector<Wrench<Real>> wrench;         // of this step
-  std::vector<Wrench<Real>> spring_wrench;  // held between spring updates
-  std::vector<Real> spring_force;           // compression positive [N]
-  std::vector<Real> link_force;             // tension positive [N]
+  std::vector<Wrench<Real>> wrench;       // of this step
+  std::vector<BodyPoint<Real>> points;    // like AttachmentPoints::points
+  std::vector<Vec3<Real>> point_force;    // on their bodies
+  std::vector<Vec3<Real>> spring_push_W;  // held between spring updates
+  std::vector<Real> spring_force;         // compression positive [N]
+  std::vector<Real> link_force;           // tension positive [N]
   std::vector<TireReport<Real>> tires;
   std::vector<Real> contact_force;   // normal [N]
   std::vector<Real> friction_force;  // [N] or [N m]
@@ -118,7 +129,9 @@ struct Workspace {
   explicit Workspace(const VehicleModel& model)
       : R_WB(model.bodies.size()),
         wrench(model.bodies.size()),
-        spring_wrench(model.bodies.size()),
+        points(AttachmentPoints::Most(model)),
+        point_force(points.size()),
+        spring_push_W(model.springs.size()),
         spring_force(model.springs.size()),
         link_force(model.links.size()),
         tires(model.wheels.size()),

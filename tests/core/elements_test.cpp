@@ -35,8 +35,12 @@ class TwoBodies : public ::testing::Test {
   std::vector<Wrench<double>> Forces() {
     Workspace<double> work(vehicle);
     for (std::size_t i = 0; i < 2; ++i) work.R_WB[i] = RotationMatrix(state.bodies[i].q_WB);
-    AddSpringForces(vehicle, state, work, work.wrench);
-    AddLinkForces(vehicle, WheelControls<double>{}, state, work);
+    const AttachmentPoints attachments(vehicle);
+    MovePoints(attachments, state, work);
+    UpdateSprings(vehicle, attachments, work);
+    AddSpringForces(vehicle, attachments, work);
+    AddLinkForces(vehicle, attachments, WheelControls<double>{}, work);
+    GatherPointForces(attachments, work);
     AddJointTorques(vehicle, WheelControls<double>{}, state, work);
     link_force = work.link_force;
     return work.wrench;
