@@ -21,6 +21,9 @@ endif()
 # OctoMap exports targets without a namespace.
 find_package(octomap 1.9 CONFIG REQUIRED)
 
+# Reads PLY and OBJ meshes.
+find_package(assimp 5.2 CONFIG REQUIRED)
+
 if(DBD_BUILD_APPS)
   find_package(CLI11 CONFIG REQUIRED)
   find_package(PkgConfig REQUIRED)

@@ -206,9 +206,11 @@ void DeclareTerrain(CLI::App* app, Commands* commands) {
   terrain->require_subcommand(1);
   DeclareTerrainGenerate(terrain, commands);
   TerrainInfoArguments* info = &commands->terrain_info;
-  CLI::App* command = AddCommand(terrain, "info", "Say what elevation files hold",
-                                 "Example:\n  dbd terrain info hills.tif --json");
-  command->add_option("files", info->files, "Elevation rasters")
+  CLI::App* command = AddCommand(terrain, "info", "Say what terrain and path files hold",
+                                 "Example:\n  dbd terrain info hills.tif track.gpx --json");
+  command
+      ->add_option("files", info->files,
+                   "Rasters, OctoMaps, meshes (.ply, .obj), points (.xyz), paths, areas")
       ->required()
       ->option_text("FILE...");
   AddJsonFlag(command, &info->json, "the description as JSON");

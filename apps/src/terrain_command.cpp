@@ -1,5 +1,6 @@
 #include "terrain_command.h"
 
+#include <dbd/core/error.h>
 #include <dbd/terrain/terrain_info.h>
 
 #include <cstdio>
@@ -29,6 +30,28 @@ std::string ExampleCommand(const GeneratedTerrain& terrain, const std::string& d
       file("plan").c_str());
 }
 
+/// Pictures and class rasters hold bytes or several bands.
+bool MayBeElevation(const RasterFileInfo& raster) {
+  return raster.bands == 1 && raster.data_type != "Byte" && raster.has_georeference &&
+         raster.lowest;
+}
+
+DescribedFile Describe(const std::string& file) {
+  DescribedFile described{file, DescribeFile(file), std::nullopt};
+  const auto* raster = std::get_if<RasterFileInfo>(&described.file.content);
+  if (raster == nullptr || !MayBeElevation(*raster)) return described;
+  TerrainFiles files;
+  files.elevation = file;
+  try {
+    described.ground = DescribeTerrain(*LoadTerrain(files));
+  } catch (const InputError& error) {
+    std::string reason = error.what();
+    if (reason.rfind(file + ": ", 0) == 0) reason.erase(0, file.size() + 2);
+    described.file.warnings.push_back("not loaded as ground: " + reason);
+  }
+  return described;
+}
+
 }  // namespace
 
 int RunTerrainGenerate(const TerrainGenerateArguments& arguments) {
@@ -46,19 +69,13 @@ int RunTerrainGenerate(const TerrainGenerateArguments& arguments) {
 }
 
 int RunTerrainInfo(const TerrainInfoArguments& arguments) {
-  std::vector<TerrainInfo> descriptions;
-  for (const std::string& file : arguments.files) {
-    TerrainFiles files;
-    files.elevation = file;
-    descriptions.push_back(DescribeTerrain(*LoadTerrain(files)));
-  }
+  std::vector<DescribedFile> described;
+  for (const std::string& file : arguments.files) described.push_back(Describe(file));
   if (arguments.json) {
-    std::fputs(TerrainInfoJson(arguments.files, descriptions).c_str(), stdout);
+    std::fputs(TerrainInfoJson(described).c_str(), stdout);
     return kExitOk;
   }
-  for (std::size_t i = 0; i < descriptions.size(); ++i) {
-    std::fputs(TerrainInfoText(arguments.files[i], descriptions[i]).c_str(), stdout);
-  }
+  for (const DescribedFile& file : described) std::fputs(TerrainInfoText(file).c_str(), stdout);
   return kExitOk;
 }
 

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "file_description.h"
 #include "json_parts.h"
 #include "text.h"
 
@@ -16,10 +17,9 @@ ordered_json PointJson(const Eigen::Vector2d& point) {
   return ordered_json::array({Rounded(point.x(), 3), Rounded(point.y(), 3)});
 }
 
-ordered_json InfoJson(const std::string& file, const TerrainInfo& info) {
+ordered_json GroundJson(const TerrainInfo& info) {
   const auto degrees = [](double angle) { return Rounded(ToDegrees(angle), 2); };
-  return {{"file", file},
-          {"columns", info.columns},
+  return {{"columns", info.columns},
           {"rows", info.rows},
           {"cell_size", PointJson(info.cell_size)},
           {"extent", PointJson(info.extent)},
@@ -37,14 +37,13 @@ ordered_json InfoJson(const std::string& file, const TerrainInfo& info) {
           {"memory_bytes", info.memory_bytes}};
 }
 
-}  // namespace
-
-std::string TerrainInfoText(const std::string& file, const TerrainInfo& info) {
-  std::string text = file + "\n";
-  text += Format("  grid     %d x %d cells of %.4g m x %.4g m (%s x %s)\n", info.columns, info.rows,
-                 info.cell_size.x(), info.cell_size.y(), FormatLength(info.extent.x()).c_str(),
-                 FormatLength(info.extent.y()).c_str());
-  text += Format("  system   %s\n", info.crs_name.empty() ? "none" : info.crs_name.c_str());
+std::string GroundText(const TerrainInfo& info) {
+  std::string text =
+      Format("  ground   %d x %d cells of %.4g m x %.4g m (%s x %s)\n", info.columns, info.rows,
+             info.cell_size.x(), info.cell_size.y(), FormatLength(info.extent.x()).c_str(),
+             FormatLength(info.extent.y()).c_str());
+  text += Format("  in       %s\n",
+                 info.crs_name.empty() ? "the file's own coordinates" : info.crs_name.c_str());
   text += Format("  x        %.2f to %.2f\n", info.map_min.x(), info.map_max.x());
   text += Format("  y        %.2f to %.2f\n", info.map_min.y(), info.map_max.y());
   text += Format("  height   %.2f m to %.2f m\n", info.lowest, info.highest);
@@ -55,11 +54,20 @@ std::string TerrainInfoText(const std::string& file, const TerrainInfo& info) {
   return text + Format("  memory   %.1f MB\n", static_cast<double>(info.memory_bytes) / 1e6);
 }
 
-std::string TerrainInfoJson(const std::vector<std::string>& files,
-                            const std::vector<TerrainInfo>& infos) {
-  ordered_json document = {{"schema", "dbd.terrain_info/1"}, {"files", ordered_json::array()}};
-  for (std::size_t i = 0; i < infos.size(); ++i) {
-    document["files"].push_back(InfoJson(files[i], infos[i]));
+}  // namespace
+
+std::string TerrainInfoText(const DescribedFile& described) {
+  return described.name + "\n" + FileInfoText(described.file) +
+         (described.ground ? GroundText(*described.ground) : "");
+}
+
+std::string TerrainInfoJson(const std::vector<DescribedFile>& files) {
+  ordered_json document = {{"schema", "dbd.terrain_info/2"}, {"files", ordered_json::array()}};
+  for (const DescribedFile& described : files) {
+    ordered_json row = {{"file", described.name}};
+    row.update(FileInfoJson(described.file));
+    row["ground"] = described.ground ? GroundJson(*described.ground) : ordered_json(nullptr);
+    document["files"].push_back(std::move(row));
   }
   return JsonText(document);
 }

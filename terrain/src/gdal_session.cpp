@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <utility>
 
 namespace dbd {
 
@@ -27,11 +28,22 @@ std::string GdalSession::Reason(const std::string& otherwise) const {
 }
 
 void GdalSession::Keep(CPLErr level, CPLErrorNum, const char* message) {
-  if (level < CE_Failure) return;
+  if (level < CE_Warning) return;
   auto* session = static_cast<GdalSession*>(CPLGetErrorHandlerUserData());
-  if (!session->error_.empty()) return;
-  session->error_ = message;
-  std::replace(session->error_.begin(), session->error_.end(), '\n', ' ');
+  std::string line = message;
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  if (level == CE_Warning) {
+    session->KeepWarning(std::move(line));
+  } else if (session->error_.empty()) {
+    session->error_ = std::move(line);
+  }
+}
+
+void GdalSession::KeepWarning(std::string line) {
+  constexpr std::size_t kEnough = 5;
+  if (warnings_.size() >= kEnough) return;
+  if (std::find(warnings_.begin(), warnings_.end(), line) != warnings_.end()) return;
+  warnings_.push_back(std::move(line));
 }
 
 }  // namespace dbd

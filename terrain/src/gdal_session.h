@@ -3,6 +3,7 @@
 #include <cpl_error.h>
 
 #include <string>
+#include <vector>
 
 namespace dbd {
 
@@ -19,13 +20,18 @@ class GdalSession {
   const std::string& error() const { return error_; }
   void ForgetError() { error_.clear(); }
 
+  /// The first few different warnings, each as one line.
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
   /// error(), or `otherwise` when GDAL gave no reason.
   std::string Reason(const std::string& otherwise) const;
 
  private:
   static void Keep(CPLErr level, CPLErrorNum number, const char* message);
+  void KeepWarning(std::string line);
 
   std::string error_;
+  std::vector<std::string> warnings_;
 };
 
 }  // namespace dbd

@@ -104,6 +104,10 @@ void ReadHeights(const RasterFile& file, ElevationRaster* raster) {
 
 }  // namespace
 
+std::size_t ElevationMemoryNeed(int columns, int rows) {
+  return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) * kBytesPerCell;
+}
+
 ElevationRaster LoadElevation(const std::string& name) {
   const RasterFile file(name);
   ElevationRaster raster;

@@ -24,4 +24,7 @@ struct ElevationRaster {
 /// Throws InputError that names the file and what is wrong with it.
 ElevationRaster LoadElevation(const std::string& file);
 
+/// Bytes that loading a raster of this size takes at its peak (twice where it must be warped).
+std::size_t ElevationMemoryNeed(int columns, int rows);
+
 }  // namespace dbd

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "gdal_session.h"
+#include "raster_file.h"
 
 namespace dbd {
 namespace {
@@ -122,11 +123,7 @@ std::string LocalFrame::CrsName() const {
   if (map_wkt_.empty()) return "";
   const GdalSession gdal;
   const OGRSpatialReference map = ParseCrs(map_wkt_);
-  const char* authority = map.GetAuthorityName(nullptr);
-  const char* code = map.GetAuthorityCode(nullptr);
-  const std::string name = map.GetName() ? map.GetName() : "unnamed";
-  if (!authority || !code) return name;
-  return name + " (" + authority + ":" + code + ")";
+  return CrsNameOf(map);
 }
 
 }  // namespace dbd

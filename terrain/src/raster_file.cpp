@@ -8,9 +8,8 @@
 #include <filesystem>
 
 namespace dbd {
-namespace {
 
-GDALDatasetUniquePtr Open(const std::string& name) {
+GDALDatasetUniquePtr OpenRaster(const std::string& name) {
   const GdalSession gdal;
   GDALDatasetUniquePtr dataset(
       GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR));
@@ -29,9 +28,7 @@ GDALDatasetUniquePtr Open(const std::string& name) {
   throw InputError(name + ": cannot be read as a raster: " + reason);
 }
 
-}  // namespace
-
-RasterFile::RasterFile(const std::string& file) : name_(file), dataset_(Open(file)) {
+RasterFile::RasterFile(const std::string& file) : name_(file), dataset_(OpenRaster(file)) {
   const GdalSession gdal;
   CheckBand();
   ReadTransform();
@@ -98,6 +95,29 @@ HeightMap::Grid GridOfTransform(const double* transform, int columns, int rows) 
   const double south = transform[5] > 0 ? transform[3] : transform[3] + rows * transform[5];
   grid.first_center = Eigen::Vector2d(transform[0], south) + 0.5 * grid.cell_size;
   return grid;
+}
+
+GDALRasterBand* BandOf(const std::string& name, GDALDataset* dataset, int number) {
+  const int bands = dataset->GetRasterCount();
+  if (bands == 0) throw InputError(name + ": holds no raster band");
+  if (number < 1 || number > bands) {
+    throw InputError(name + ": has no band " + std::to_string(number) + ", only " +
+                     std::to_string(bands));
+  }
+  GDALRasterBand* band = dataset->GetRasterBand(number);
+  const GDALDataType type = band->GetRasterDataType();
+  if (GDALDataTypeIsComplex(type)) {
+    throw InputError(name + ": holds complex numbers (" + GDALGetDataTypeName(type) + ")");
+  }
+  return band;
+}
+
+std::string CrsNameOf(const OGRSpatialReference& crs) {
+  const char* authority = crs.GetAuthorityName(nullptr);
+  const char* code = crs.GetAuthorityCode(nullptr);
+  const std::string name = crs.GetName() ? crs.GetName() : "unnamed";
+  if (!authority || !code) return name;
+  return name + " (" + authority + ":" + code + ")";
 }
 
 std::string WktOf(const OGRSpatialReference& crs) {

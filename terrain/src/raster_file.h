@@ -13,6 +13,9 @@ namespace dbd {
 /// A raster larger than this in memory is refused.
 inline constexpr double kMemoryLimitBytes = 4.0 * 1024 * 1024 * 1024;
 
+/// Opens any raster that GDAL reads. Throws InputError that names the file and what is wrong.
+GDALDatasetUniquePtr OpenRaster(const std::string& name);
+
 /// A raster that was opened and can be used: one band of real numbers with a place on the map,
 /// not rotated.
 class RasterFile {
@@ -53,6 +56,12 @@ void CheckMemoryNeed(const std::string& name, int columns, int rows, std::size_t
 /// Height of the top edge to the south edge turned round: grid of a north-up or south-up
 /// geotransform (`transform`: six numbers as GDAL gives them), row 0 south.
 HeightMap::Grid GridOfTransform(const double* transform, int columns, int rows);
+
+/// Band `number`, counted from 1, of real numbers. Throws InputError with `name`.
+GDALRasterBand* BandOf(const std::string& name, GDALDataset* dataset, int number);
+
+/// "WGS 84 / UTM zone 33N (EPSG:32633)", or its name alone when it has no code.
+std::string CrsNameOf(const OGRSpatialReference& crs);
 
 std::string WktOf(const OGRSpatialReference& crs);
 
