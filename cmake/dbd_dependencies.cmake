@@ -34,4 +34,6 @@ if(DBD_BUILD_TESTS)
 endif()
 if(DBD_BUILD_BENCHMARKS)
   find_package(benchmark CONFIG REQUIRED)
+  find_package(CLI11 CONFIG REQUIRED)
+  find_package(Simbody QUIET)  # optional: the comparison with it is left out without it
 endif()
