@@ -155,8 +155,17 @@ void AddScenarioVariants(CLI::App* command, ScenarioArguments* scenario) {
       ->option_text("F");
   command->add_flag("--hold", scenario->hold,
                     "Forces of a test rig drive and hold the chassis, not engine and steering");
-  command->add_flag("--vertical-tire", scenario->vertical_tire,
-                    "The reference trajectories' tire: vertical force only");
+  CLI::Option* scheme =
+      command
+          ->add_option("--tire-scheme", scenario->tire_scheme,
+                       "Held between tire updates: split (default) holds the contact's shape, hold "
+                       "the force")
+          ->check(CLI::IsMember({"split", "hold"}))
+          ->option_text("NAME");
+  command
+      ->add_flag("--vertical-tire", scenario->vertical_tire,
+                 "The reference trajectories' tire: vertical force only")
+      ->excludes(scheme);
 }
 
 void DeclareScenario(CLI::App* app, Commands* commands) {

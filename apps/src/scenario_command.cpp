@@ -63,6 +63,7 @@ VehicleModel MakeVehicleAsAsked(const ScenarioArguments& arguments) {
 SimulationOptions MakeOptions(const ScenarioArguments& arguments, const Scenario& scenario) {
   SimulationOptions options;
   if (arguments.vertical_tire) options.tire = TireKind::kVerticalDisc;
+  if (arguments.tire_scheme == "hold") options.tire_scheme = TireScheme::kHold;
   if (arguments.hold) {
     options.guide =
         GuideForces{.target_speed = scenario.target_speed, .standing_time = scenario.standing_time};

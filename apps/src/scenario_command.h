@@ -16,6 +16,7 @@ struct ScenarioArguments {
   std::string bump_side = "both";
   double link_stiffness = 1;  ///< factor
   double step_factor = 1;
+  std::string tire_scheme = "split";
   bool hold = false;  ///< test rig instead of engine and driver
   bool vertical_tire = false;
 };

@@ -5,6 +5,7 @@
 
 #include "engine.h"
 #include "guide_force.h"
+#include "held_tire.h"
 #include "initial_state.h"
 #include "vertical_tire.h"
 
@@ -27,6 +28,7 @@ struct Simulation::Impl {
   EngineModel engine;
   EngineState<double> state;
   Workspace<double> work;
+  HeldWrenches held_tires;
   WheelControls<double> controls;
   PowertrainState powertrain;
   double start_time = 0;
@@ -37,7 +39,8 @@ struct Simulation::Impl {
 
   /// Everything the step calls is inlined: a twentieth fewer instructions.
   [[gnu::flatten]] void Step() {
-    if (options.tire == TireKind::kFull && !options.guide) {
+    const bool plain = options.tire == TireKind::kFull && options.tire_scheme == TireScheme::kSplit;
+    if (plain && !options.guide) {
       StepEngine(engine, ground, controls, state, work);
     } else {
       StepOnRig();
@@ -82,12 +85,14 @@ void Simulation::Impl::SetControls(const DriverCommand& command, double dt) {
   }
 }
 
-/// The step of comparisons: another tire, or forces of a test rig.
+/// The step of comparisons: another tire or scheme, or forces of a test rig.
 void Simulation::Impl::StepOnRig() {
   if (options.tire == TireKind::kVerticalDisc) {
     LocateBodies(state, work);
     SetElementForces(engine, controls, state, work);
     AddDiscForces(vehicle, ground, state, work);
+  } else if (options.tire_scheme == TireScheme::kHold) {
+    EvaluateForcesHeld(engine, ground, controls, state, work, held_tires);
   } else {
     EvaluateForces(engine, ground, controls, state, work);
   }

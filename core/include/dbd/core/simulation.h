@@ -47,6 +47,13 @@ enum class TireKind {
   kVerticalDisc,  ///< vertical force only, for comparison with other multibody programs
 };
 
+/// What stays constant between two updates of the tires, where the tire step is longer than the
+/// construction step.
+enum class TireScheme {
+  kSplit,  ///< the contact's geometry; the force law follows the wheel at every construction step
+  kHold,   ///< the force itself, as the paper writes it (section 3); for comparison
+};
+
 /// A test rig instead of engine and steering, for comparison with other multibody programs: forces
 /// on the chassis' centre of mass that hold it on y = 0 and pull it along x.
 struct GuideForces {
@@ -60,6 +67,7 @@ struct GuideForces {
 
 struct SimulationOptions {
   TireKind tire = TireKind::kFull;
+  TireScheme tire_scheme = TireScheme::kSplit;  ///< of the full tire
   std::optional<GuideForces> guide;
 };
 
