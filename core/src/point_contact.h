@@ -2,6 +2,8 @@
 
 #include <dbd/core/ground.h>
 
+#include <array>
+
 #include "elements.h"
 
 namespace dbd {
@@ -13,32 +15,36 @@ namespace dbd {
 // give before slip; in exchange a body at rest stays at rest, and no step size makes it chatter
 // below the bristle's own frequency.
 
-/// Samples the tangent plane under every contact point, from three heights.
+/// Samples the tangent plane under every contact point, from heights before, behind, left and right
+/// of it as the body points: the result depends neither on the heading nor on the side.
 template <class Real>
 void SamplePointContacts(const VehicleModel& model, const Ground& ground,
                          const Workspace<Real>& work, EngineState<Real>& state) {
   using S = ScalarOf<Real>;
   constexpr int kLanes = LaneTraits<Real>::kLanes;
-  constexpr double kReach = 0.05;  // [m] over which the slope is taken
-  const Real reach{S(kReach)};
+  constexpr double kReach = 0.025;  // [m] to each side
+  constexpr std::array<std::array<double, 2>, 5> kPlaces = {
+      {{0, 0}, {kReach, 0}, {-kReach, 0}, {0, kReach}, {0, -kReach}}};
   for (std::size_t i = 0; i < model.contacts.size(); ++i) {
     const ContactModel& contact = model.contacts[i];
-    const Vec3<Real> p =
-        PointOn(state.bodies[contact.body], work.R_WB[contact.body], contact.p_B).p;
-    S x[3 * kLanes], y[3 * kLanes], z[3 * kLanes];
-    LaneTraits<Real>::Store(p.x, x);
-    LaneTraits<Real>::Store(p.x + reach, x + kLanes);
-    LaneTraits<Real>::Store(p.x, x + 2 * kLanes);
-    LaneTraits<Real>::Store(p.y, y);
-    LaneTraits<Real>::Store(p.y, y + kLanes);
-    LaneTraits<Real>::Store(p.y + reach, y + 2 * kLanes);
-    ground.Heights(3 * kLanes, x, y, z);
-    const Real height = LaneTraits<Real>::Load(z);
-    const Real slope_x = (LaneTraits<Real>::Load(z + kLanes) - height) * Real(S(1 / kReach));
-    const Real slope_y = (LaneTraits<Real>::Load(z + 2 * kLanes) - height) * Real(S(1 / kReach));
-    state.contacts[i].p_WG = {p.x, p.y, height};
+    const Mat3<Real>& R_WB = work.R_WB[contact.body];
+    const Vec3<Real> p = PointOn(state.bodies[contact.body], R_WB, contact.p_B).p;
+    const Vec3<Real> ahead =
+        Normalized(Vec3<Real>{R_WB.x.x, R_WB.x.y, Real(0)});  // left is (-y, x)
+    S x[5 * kLanes], y[5 * kLanes], z[5 * kLanes];
+    for (int j = 0; j < 5; ++j) {
+      const Real along{S(kPlaces[j][0])}, left{S(kPlaces[j][1])};
+      LaneTraits<Real>::Store(p.x + along * ahead.x - left * ahead.y, x + j * kLanes);
+      LaneTraits<Real>::Store(p.y + along * ahead.y + left * ahead.x, y + j * kLanes);
+    }
+    ground.Heights(5 * kLanes, x, y, z);
+    const auto height = [&](int j) { return LaneTraits<Real>::Load(z + j * kLanes); };
+    const Real rise = (height(1) - height(2)) * Real(S(0.5 / kReach));
+    const Real rise_left = (height(3) - height(4)) * Real(S(0.5 / kReach));
+    state.contacts[i].p_WG = {p.x, p.y, height(0)};
     state.contacts[i].normal_W =
-        Normalized(Vec3<Real>{Real(-1) * slope_x, Real(-1) * slope_y, Real(1)});
+        Normalized(Vec3<Real>{rise_left * ahead.y - rise * ahead.x,
+                              Real(-1) * (rise * ahead.y + rise_left * ahead.x), Real(1)});
   }
 }
 

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "support/core_engine.h"
+#include "support/core_ground.h"
+#include "support/core_moved_ground.h"
 
 namespace dbd {
 namespace {
@@ -90,6 +92,28 @@ TEST(PointContact, SlidesBeyondItWithTheRestOfGravity) {
   // g (sin a - mu cos a), tan a = 0.6: 9.81 (0.5145 - 0.2572) = 2.523 m/s^2
   const double c = 1 / std::sqrt(1.36);
   EXPECT_NEAR(Norm(scene.state.bodies[0].v_WB) - before, kGravity * (0.6 - 0.3) * c, 0.05);
+}
+
+/// Normal under the first skid of the block lying somewhere with some heading.
+Eigen::Vector3d NormalUnder(const Ground& ground, double heading) {
+  const VehicleModel block = Block(0.5);
+  Scene scene(block, ground);
+  const Eigen::AngleAxisd turn(heading, Eigen::Vector3d::UnitZ());
+  scene.state.bodies[0].q_WB = FromEigen(Eigen::Quaterniond(turn));
+  scene.state.bodies[0].p_WB = {0, 0, 0.2};
+  scene.work.R_WB[0] = RotationMatrix(scene.state.bodies[0].q_WB);
+  SamplePointContacts(block, ground, scene.work, scene.state);
+  return ToEigen(scene.state.contacts[0].normal_W);
+}
+
+TEST(PointContact, NormalOfCurvedGroundDoesNotDependOnTheWorldsAxes) {
+  const FunctionGround dome([](double x, double y) { return x * x + 0.5 * x * y - 2 * y * y; });
+  const Eigen::Vector3d normal = NormalUnder(dome, 0);
+  // At (0.4, 0.3): slopes 2 x + 0.5 y = 0.95 and 0.5 x - 4 y = -1.
+  EXPECT_LT((normal - Eigen::Vector3d(-0.95, 1, 1).normalized()).norm(), 1e-9);
+  const MovedGround turned(dome, 1.3, {0, 0, 0});
+  const Eigen::AngleAxisd turn(1.3, Eigen::Vector3d::UnitZ());
+  EXPECT_LT((NormalUnder(turned, 1.3) - turn * normal).norm(), 1e-9);
 }
 
 TEST(PointContact, NeverPullsAndDoesNothingInTheAir) {

@@ -1,4 +1,5 @@
 // Symmetries that the equations of motion have and the program must keep.
+#include <dbd/core/powertrain.h>
 #include <dbd/core/scenario.h>
 #include <dbd/core/simulation.h>
 #include <gtest/gtest.h>
@@ -6,6 +7,7 @@
 #include <numbers>
 
 #include "support/core_ground.h"
+#include "support/core_moved_ground.h"
 #include "support/core_vehicle.h"
 
 namespace dbd {
@@ -83,6 +85,45 @@ TEST(Symmetry, GroundMovedAlongMovesTheDrive) {
   EXPECT_GT(here.p_WB.x(), 6);
   EXPECT_LT((here.p_WB - there.p_WB).norm(), 1e-6);
   EXPECT_NEAR(here.pitch, there.pitch, 1e-6);
+}
+
+/// Largest distance between a drive and the same drive on the ground turned and moved away.
+double CostOfMoving(const VehicleModel& vehicle, const Scenario& scenario, double duration) {
+  constexpr double kYaw = 2.2;
+  const MovedGround moved(*scenario.ground, kYaw, {1000, -700, 250});
+  Simulation here(vehicle, *scenario.ground), there(vehicle, moved);
+  here.Place(Eigen::Vector2d::Zero(), 0);
+  there.Place(moved.Moved(Eigen::Vector2d::Zero().eval()), kYaw);
+  const double torque = 0.8 * FullThrottleTorque(vehicle.powertrain, vehicle.powertrain.min_speed);
+  double worst = 0;
+  while (here.time() < duration) {
+    const double steer = 0.02 * std::sin(here.time());
+    const DriverCommand command{.steer = steer, .engine_torque = torque};
+    here.Advance(command);
+    there.Advance(command);
+    worst = std::max(worst, (moved.Moved(here.Chassis().p_WB) - there.Chassis().p_WB).norm());
+  }
+  EXPECT_GT(here.Chassis().p_WB.x(), 4.5) << scenario.name;
+  return worst;
+}
+
+TEST(Symmetry, OriginAndHeadingOfTheWorldDoNotMatter) {
+  for (const std::string& name : ScenarioNames()) {
+    for (const char* vehicle : {"tomcar-tm27", "utility-4x4"}) {
+      EXPECT_LT(CostOfMoving(*LoadVehicle(vehicle), MakeScenario(name), 5), 1e-6)
+          << vehicle << " in " << name;
+    }
+  }
+}
+
+TEST(Symmetry, BelliesAndBumpersSeeTheGroundTheSameWayRound) {
+  // A crest that the utility vehicle's belly lies on, oblique to the world's axes.
+  const FunctionGround crest([](double x, double y) {
+    return 0.6 * std::exp(-0.8 * std::pow(x - 5 - 0.2 * y, 2)) + 0.05 * std::sin(2 * x + y);
+  });
+  const auto vehicle = LoadVehicle("utility-4x4");
+  const Scenario scenario{"crest", "", 0, 0, 0, 0, std::make_shared<FunctionGround>(crest)};
+  EXPECT_LT(CostOfMoving(*vehicle, scenario, 5), 1e-6);
 }
 
 TEST(Symmetry, TwoRunsAreBitIdentical) {
