@@ -40,6 +40,28 @@ class FreeVehicle {
     return sum / static_cast<double>(steps);
   }
 
+  /// About the point at which the vehicle was released.
+  Eigen::Vector3d AngularMomentum() const {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (std::size_t i = 0; i < vehicle.bodies.size(); ++i) {
+      const BodyState<double>& b = scene.state.bodies[i];
+      const Eigen::Vector3d lever = ToEigen(b.p_WB) - Eigen::Vector3d(0, 0, 1000);
+      sum += vehicle.bodies[i].mass * lever.cross(ToEigen(b.v_WB)) + ToEigen(b.h_WB);
+    }
+    return sum;
+  }
+
+  /// With these steps, and velocities brought back by half of one, as leapfrog keeps them.
+  void StartWithStep(double step) {
+    scene.engine.step = step;
+    scene.Evaluate();
+    for (std::size_t i = 0; i < vehicle.bodies.size(); ++i) {
+      BodyState<double>& b = scene.state.bodies[i];
+      b.v_WB -= (0.5 * step / vehicle.bodies[i].mass) * scene.work.wrench[i].f_W;
+      b.h_WB -= (0.5 * step) * scene.work.wrench[i].t_W;
+    }
+  }
+
   Eigen::Vector3d Momentum() const {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (std::size_t i = 0; i < vehicle.bodies.size(); ++i) {
@@ -74,6 +96,45 @@ TEST(Engine, MomentaOfTheFreeVehicleAreKept) {
   const Eigen::Vector3d before = free.Momentum();
   free.MeanEnergy(5);
   EXPECT_LT((free.Momentum() - before).norm(), 1e-8);
+}
+
+// Links, springs and joints, dampers too: internal forces. The half step between places and
+// velocities changes nothing, v x v = 0.
+TEST(Engine, AngularMomentumOfTheFreeVehicleIsKept) {
+  for (const bool damped : {false, true}) {
+    FreeVehicle free;
+    if (damped) {
+      free.vehicle.springs = Tm27().springs;
+      free.vehicle.links = Tm27().links;
+      free.vehicle.joints = Tm27().joints;
+    }
+    free.scene.state.bodies[0].v_WB = {1, 0.5, 0.3};
+    SetAngularVelocity(free.vehicle.bodies[0], {0.3, 0.2, 0.1}, free.scene.state.bodies[0]);
+    const Eigen::Vector3d before = free.AngularMomentum();
+    EXPECT_GT(before.norm(), 100);
+    free.MeanEnergy(5);
+    EXPECT_LT((free.AngularMomentum() - before).norm(), 1e-8 * before.norm()) << damped;
+  }
+}
+
+/// Place of a front wheel, relative to where it was, after 0.3 s of springing free.
+Eigen::Vector3d PlaceAfterwards(double step) {
+  FreeVehicle free;
+  SetAngularVelocity(free.vehicle.bodies[0], {0.3, 0.2, 0.1}, free.scene.state.bodies[0]);
+  free.StartWithStep(step);
+  free.MeanEnergy(0.3);
+  return ToEigen(free.scene.state.bodies[3].p_WB) - Eigen::Vector3d(0, 0, 1000);
+}
+
+TEST(Engine, UndampedMotionConvergesAtSecondOrder) {
+  const Eigen::Vector3d exact = PlaceAfterwards(0.03125e-3);
+  const double coarse = (PlaceAfterwards(0.5e-3) - exact).norm();
+  const double middle = (PlaceAfterwards(0.25e-3) - exact).norm();
+  const double fine = (PlaceAfterwards(0.125e-3) - exact).norm();
+  RecordProperty("coarse_nm", static_cast<int>(1e9 * coarse));
+  // Proportional to h^2 - 0.03125^2.
+  EXPECT_NEAR(coarse / middle, 0.2490 / 0.0615, 0.3);
+  EXPECT_NEAR(middle / fine, 0.0615 / 0.01465, 0.3);
 }
 
 TEST(Engine, InternalForcesHaveNoResultant) {
