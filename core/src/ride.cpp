@@ -70,19 +70,28 @@ double AbsorbedPowerGain(double frequency) {
   return std::norm(h) * kFeet * kFeet;
 }
 
-AbsorbedPower::AbsorbedPower(double step) : filter_(AbsorbedPowerFilter(step)), step_(step) {}
+AbsorbedPower::AbsorbedPower(double step)
+    : filter_(AbsorbedPowerFilter(step)),
+      samples_per_bin_(std::max(1, static_cast<int>(std::lround(kWindow / kBins / step)))) {}
 
 void AbsorbedPower::Update(double acceleration) {
+  if (samples_ == samples_per_bin_) {
+    newest_ = (newest_ + 1) % (kBins + 1);
+    sums_[static_cast<std::size_t>(newest_)] = 0;
+    samples_ = 0;
+    complete_ = 0;  // summed anew, so that round-off does not gather
+    for (const double bin : sums_) complete_ += bin;
+  }
   const double root = filter_.Update(acceleration * kFeet);
-  energy_[bin_] += root * root * step_;
-  sum_ += root * root * step_;
-  bin_time_ += step_;
-  if (bin_time_ < kWindow / kBins) return;
-  bin_time_ -= kWindow / kBins;
-  bin_ = (bin_ + 1) % kBins;
-  energy_[bin_] = 0;
-  sum_ = 0;  // summed anew, so that round-off does not gather
-  for (const double energy : energy_) sum_ += energy;
+  sums_[static_cast<std::size_t>(newest_)] += root * root;
+  ++samples_;
+}
+
+double AbsorbedPower::mean() const {
+  const double oldest = sums_[static_cast<std::size_t>((newest_ + 1) % (kBins + 1))];
+  const double left = static_cast<double>(samples_) / samples_per_bin_;  // share of it outside
+  const double sum = complete_ + sums_[static_cast<std::size_t>(newest_)] - left * oldest;
+  return std::max(0.0, sum / (kBins * samples_per_bin_));
 }
 
 ButterworthLowPass::ButterworthLowPass(double cutoff, double step)

@@ -41,19 +41,19 @@ class AbsorbedPower {
   explicit AbsorbedPower(double step);
   /// `acceleration`: vertical, without gravity [m/s^2].
   void Update(double acceleration);
-  /// Over the last `kWindow`, what has not been driven counting as still; the oldest bin ends
-  /// when a new one begins, so that the window is up to one bin shorter.
-  double mean() const { return sum_ / (kWindow - kWindow / kBins + bin_time_); }
+  /// Over the last `kWindow`, in whole bins of samples but for the oldest, of which the share that
+  /// is still inside counts; what has not been driven counts as still.
+  double mean() const;
 
  private:
-  static constexpr int kBins = 100;
+  static constexpr int kBins = 100;  // of the window
 
   LinearFilter<3> filter_;
-  double step_;
-  double bin_time_ = 0;
-  int bin_ = 0;
-  std::array<double, kBins> energy_{};  // [J]
-  double sum_ = 0;
+  int samples_per_bin_;
+  int samples_ = 0;  // in the newest bin
+  int newest_ = 0;
+  std::array<double, kBins + 1> sums_{};  // of squares of the filter's output [W]
+  double complete_ = 0;                   // sum of all bins but the newest
 };
 
 /// Fourth-order Butterworth low-pass as two second-order sections: what peak vertical acceleration
