@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "terrain_flags.h"
+
 #ifndef DBD_VERSION
 #error "DBD_VERSION is set by the build"
 #endif
@@ -19,24 +21,6 @@ CLI::App* AddCommand(CLI::App* parent, const std::string& name, const std::strin
   command->footer(footer);
   command->fallthrough();
   return command;
-}
-
-void AddTerrainFlags(CLI::App* command, TerrainArguments* terrain) {
-  command->add_option("--dem", terrain->dem, "Elevation: any single-band raster that GDAL opens")
-      ->required()
-      ->option_text("FILE");
-  command->add_option("--materials", terrain->materials, "Class raster: which soil lies where")
-      ->option_text("FILE");
-  command
-      ->add_option("--material-table", terrain->material_table,
-                   "What the classes mean: a built-in table or a JSON file")
-      ->option_text("NAME|FILE");
-  command->add_option("--obstacles", terrain->obstacles, "OctoMap, .bt or .ot")
-      ->option_text("FILE");
-  command
-      ->add_option("--obstacles-origin", terrain->obstacles_origin,
-                   "Map coordinates of the OctoMap's x = y = 0, when it has a frame of its own")
-      ->option_text("X,Y");
 }
 
 void AddVehicleFlag(CLI::App* command, std::string* vehicle) {

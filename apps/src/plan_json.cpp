@@ -21,6 +21,12 @@ ordered_json EndJson(const LocalFrame& frame, const Eigen::Vector2d& place,
 
 ordered_json TerrainJson(const TerrainArguments& files) {
   ordered_json terrain = {{"dem", files.dem}};
+  if (files.band > 0) terrain["band"] = files.band;
+  if (!files.crs.empty()) terrain["crs"] = files.crs;
+  if (files.unknown_ground != "forbid") {
+    terrain["unknown_ground"] = files.unknown_ground;
+    terrain["fill_distance_m"] = files.fill_distance_m;
+  }
   if (!files.materials.empty()) {
     terrain["materials"] = files.materials;
     terrain["material_table"] = files.material_table;

@@ -2,11 +2,14 @@
 
 #include <dbd/core/error.h>
 
+#include "console.h"
 #include "places.h"
 
 namespace dbd {
 
-TerrainFiles MakeTerrainFiles(const TerrainArguments& arguments) {
+namespace {
+
+void CheckTogether(const TerrainArguments& arguments) {
   if (!arguments.materials.empty() && arguments.material_table.empty()) {
     throw InputError("--materials needs --material-table: what do its classes mean?");
   }
@@ -16,9 +19,22 @@ TerrainFiles MakeTerrainFiles(const TerrainArguments& arguments) {
   if (arguments.obstacles.empty() && !arguments.obstacles_origin.empty()) {
     throw InputError("--obstacles-origin needs --obstacles");
   }
+}
+
+}  // namespace
+
+TerrainFiles MakeTerrainFiles(const TerrainArguments& arguments) {
+  CheckTogether(arguments);
   TerrainFiles files;
-  files.elevation = arguments.dem;
+  files.elevation = arguments.dem.front();
+  files.more_elevation.assign(arguments.dem.begin() + 1, arguments.dem.end());
+  files.elevation_band = arguments.band;
+  files.crs = arguments.crs;
+  files.unknown_ground =
+      arguments.unknown_ground == "fill" ? UnknownGround::kFill : UnknownGround::kForbid;
+  files.fill_distance = arguments.fill_distance_m;
   files.materials = arguments.materials;
+  files.materials_band = arguments.materials_band;
   files.material_table = arguments.material_table;
   files.obstacles = arguments.obstacles;
   if (!arguments.obstacles_origin.empty()) {
@@ -29,7 +45,9 @@ TerrainFiles MakeTerrainFiles(const TerrainArguments& arguments) {
 }
 
 std::shared_ptr<const Terrain> LoadTerrain(const TerrainArguments& arguments) {
-  return LoadTerrain(MakeTerrainFiles(arguments));
+  auto terrain = LoadTerrain(MakeTerrainFiles(arguments));
+  for (const std::string& note : terrain->notes()) PrintNote(note);
+  return terrain;
 }
 
 }  // namespace dbd

@@ -4,13 +4,19 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace dbd {
 
 /// The flags that say which terrain is meant, shared by all sub-commands that drive on one.
 struct TerrainArguments {
-  std::string dem;
+  std::vector<std::string> dem;
+  int band = 0;  ///< 0: the only one
+  std::string crs;
+  std::string unknown_ground = "forbid";
+  double fill_distance_m = 50;
   std::string materials;
+  int materials_band = 0;
   std::string material_table;
   std::string obstacles;
   std::string obstacles_origin;  ///< "X,Y" or empty: the OctoMap is in map coordinates
@@ -19,7 +25,7 @@ struct TerrainArguments {
 /// Throws InputError when flags that belong together are given apart.
 TerrainFiles MakeTerrainFiles(const TerrainArguments& arguments);
 
-/// Checks the flags and reads the files. Throws InputError.
+/// Checks the flags, reads the files and prints what is worth knowing of them. Throws InputError.
 std::shared_ptr<const Terrain> LoadTerrain(const TerrainArguments& arguments);
 
 }  // namespace dbd

@@ -15,6 +15,14 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
+// As GDAL wants them, ended by null; valid as long as the arguments.
+std::vector<char*> Raw(Arguments& arguments) {
+  std::vector<char*> raw;
+  for (std::string& argument : arguments) raw.push_back(argument.data());
+  raw.push_back(nullptr);
+  return raw;
+}
+
 std::string Number(double value) {
   std::ostringstream text;
   text << std::setprecision(17) << value;
@@ -47,13 +55,22 @@ Arguments WarpArguments(const RasterFile& file, const HeightMap::Grid& grid,
   return arguments;
 }
 
-GDALDatasetUniquePtr Warp(const RasterFile& file, const Arguments& arguments) {
-  std::vector<char*> raw;
-  for (const std::string& argument : arguments) raw.push_back(const_cast<char*>(argument.c_str()));
-  raw.push_back(nullptr);
+// The chosen band alone; null when it already is alone.
+GDALDatasetUniquePtr ExtractBand(const RasterFile& file) {
+  if (file.dataset()->GetRasterCount() == 1) return nullptr;
+  Arguments arguments = {"-of", "VRT", "-b", std::to_string(file.band_number())};
+  const std::vector<char*> raw = Raw(arguments);
+  const std::unique_ptr<GDALTranslateOptions, decltype(&GDALTranslateOptionsFree)> options(
+      GDALTranslateOptionsNew(const_cast<char**>(raw.data()), nullptr), &GDALTranslateOptionsFree);
+  return GDALDatasetUniquePtr(GDALDataset::FromHandle(
+      GDALTranslate("", GDALDataset::ToHandle(file.dataset()), options.get(), nullptr)));
+}
+
+GDALDatasetUniquePtr Warp(GDALDataset* dataset, Arguments arguments) {
+  const std::vector<char*> raw = Raw(arguments);
   const std::unique_ptr<GDALWarpAppOptions, decltype(&GDALWarpAppOptionsFree)> options(
-      GDALWarpAppOptionsNew(raw.data(), nullptr), &GDALWarpAppOptionsFree);
-  GDALDatasetH source = GDALDataset::ToHandle(file.dataset());
+      GDALWarpAppOptionsNew(const_cast<char**>(raw.data()), nullptr), &GDALWarpAppOptionsFree);
+  GDALDatasetH source = GDALDataset::ToHandle(dataset);
   return GDALDatasetUniquePtr(
       GDALDataset::FromHandle(GDALWarp("", nullptr, 1, &source, options.get(), nullptr)));
 }
@@ -66,16 +83,18 @@ void CheckOverlap(const RasterFile& file, const std::vector<std::int32_t>& class
 
 }  // namespace
 
-std::vector<std::int32_t> LoadClasses(const std::string& name, const HeightMap::Grid& map_grid,
+std::vector<std::int32_t> LoadClasses(const RasterRequest& request, const HeightMap::Grid& map_grid,
                                       const std::string& map_wkt) {
-  const RasterFile file(name);
+  const RasterFile file(request);
   const GDALDataType type = file.band()->GetRasterDataType();
   if (!GDALDataTypeIsInteger(type)) {
     file.Fail(std::string("holds ") + GDALGetDataTypeName(type) +
               ", a class raster holds integers");
   }
   const GdalSession gdal;
-  const GDALDatasetUniquePtr warped = Warp(file, WarpArguments(file, map_grid, map_wkt));
+  const GDALDatasetUniquePtr band = ExtractBand(file);
+  const GDALDatasetUniquePtr warped =
+      Warp(band ? band.get() : file.dataset(), WarpArguments(file, map_grid, map_wkt));
   if (!warped) file.Fail("cannot be resampled: " + gdal.Reason("no reason given"));
   std::vector<std::int32_t> classes(map_grid.CellCount(), kNoClass);
   for (int row = 0; row < map_grid.rows; ++row) {

@@ -22,12 +22,6 @@ bool IsNeverAHeight(double height) {
   return !std::isfinite(height) || height == -9999.0 || std::abs(height) > 30e3;
 }
 
-double MetersPerUnit(const std::string& unit) {
-  if (unit == "ft" || unit == "foot" || unit == "feet") return 0.3048;
-  if (unit == "US survey foot" || unit == "ftUS" || unit == "sfoot") return 1200.0 / 3937.0;
-  return 1.0;
-}
-
 class BandReader {
  public:
   explicit BandReader(const RasterFile& file)
@@ -35,14 +29,7 @@ class BandReader {
         band_(file.band()),
         mask_(band_->GetMaskBand()),
         values_(band_->GetXSize()),
-        is_known_(band_->GetXSize()) {
-    const double to_meters = MetersPerUnit(band_->GetUnitType());
-    scale_ = band_->GetScale() * to_meters;
-    offset_ = band_->GetOffset() * to_meters;
-    if (!std::isfinite(scale_) || scale_ == 0 || !std::isfinite(offset_)) {
-      file_.Fail("its scale or offset is not a usable number");
-    }
-  }
+        is_known_(band_->GetXSize()) {}
 
   // Heights [m], not a number where unknown.
   const std::vector<double>& Row(int row) {
@@ -57,8 +44,8 @@ class BandReader {
     }
     for (int i = 0; i < columns; ++i) {
       const bool unknown = is_known_[i] == 0 || IsNeverAHeight(values_[i]);
-      values_[i] =
-          unknown ? std::numeric_limits<double>::quiet_NaN() : scale_ * values_[i] + offset_;
+      values_[i] = unknown ? std::numeric_limits<double>::quiet_NaN()
+                           : file_.height_scale() * values_[i] + file_.height_offset();
     }
     return values_;
   }
@@ -67,8 +54,6 @@ class BandReader {
   const RasterFile& file_;
   GDALRasterBand* band_;
   GDALRasterBand* mask_;
-  double scale_ = 1;
-  double offset_ = 0;
   std::vector<double> values_;
   std::vector<std::uint8_t> is_known_;
 };
@@ -108,8 +93,9 @@ std::size_t ElevationMemoryNeed(int columns, int rows) {
   return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows) * kBytesPerCell;
 }
 
-ElevationRaster LoadElevation(const std::string& name) {
-  const RasterFile file(name);
+ElevationRaster LoadElevation(const RasterRequest& request) {
+  const RasterFile file(request);
+  const std::string& name = file.name();
   ElevationRaster raster;
   raster.grid = file.Grid();
   if (raster.grid.columns < 2 || raster.grid.rows < 2) {

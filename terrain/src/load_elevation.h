@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "raster_file.h"
+
 namespace dbd {
 
 /// Heights in a metric map coordinate system.
@@ -17,12 +19,12 @@ struct ElevationRaster {
   std::string source_wkt;      ///< the file's own system; differs from `map_wkt` after a warp
 };
 
-/// Reads a single-band elevation raster that GDAL opens: scale, offset, unit, nodata and mask are
-/// applied. What is geographic, not in metres, or not true to scale is warped (bilinear, at about
-/// the same resolution) to the UTM zone of its centre. Besides declared nodata, heights that no
-/// ground has (-9999, beyond +-30 km, not finite) are unknown.
-/// Throws InputError that names the file and what is wrong with it.
-ElevationRaster LoadElevation(const std::string& file);
+/// Reads an elevation raster that GDAL opens: scale, offset, unit, nodata and mask are applied.
+/// What is geographic, not in metres, or not true to scale is warped (bilinear, at about the same
+/// resolution) to the UTM zone of its centre. Besides declared nodata, heights that no ground has
+/// (-9999, beyond +-30 km, not finite) are unknown. Throws InputError that names the file and what
+/// is wrong with it.
+ElevationRaster LoadElevation(const RasterRequest& request);
 
 /// Bytes that loading a raster of this size takes at its peak (twice where it must be warped).
 std::size_t ElevationMemoryNeed(int columns, int rows);

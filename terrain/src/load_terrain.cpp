@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "fill_unknown.h"
 #include "load_classes.h"
 #include "load_elevation.h"
 
@@ -68,7 +69,7 @@ MaterialMap LoadMaterials(const TerrainFiles& files, const ElevationRaster& elev
       MaterialTable::Load(files.material_table.empty() ? kDefaultTable : files.material_table);
   if (files.materials.empty()) return MaterialMap(table.GetName(files.default_material));
   const std::vector<std::int32_t> classes =
-      LoadClasses(files.materials, elevation.grid, elevation.map_wkt);
+      LoadClasses({{files.materials}, files.materials_band, ""}, elevation.grid, elevation.map_wkt);
   std::vector<std::uint8_t> indices = ToIndices(files.materials, elevation.grid, classes, table);
   HeightMap::Grid grid = elevation.grid;
   grid.first_center = frame.ToLocal(grid.first_center);
@@ -83,16 +84,37 @@ ObstacleMap LoadObstacleLayer(const TerrainFiles& files, const HeightMap& height
   return LoadObstacles(files.obstacles, heights, frame.ToLocal(zero_in_map));
 }
 
+RasterRequest ElevationRequest(const TerrainFiles& files) {
+  RasterRequest request{{files.elevation}, files.elevation_band, files.crs};
+  request.files.insert(request.files.end(), files.more_elevation.begin(),
+                       files.more_elevation.end());
+  return request;
+}
+
+ElevationRaster LoadGround(const TerrainFiles& files, std::vector<std::string>* notes) {
+  ElevationRaster elevation = LoadElevation(ElevationRequest(files));
+  if (files.unknown_ground == UnknownGround::kForbid) return elevation;
+  const double share = FillUnknown(files.fill_distance, &elevation);
+  char text[120];
+  std::snprintf(text, sizeof text, "%.3g %% of the ground was unknown and is interpolated",
+                100 * share);
+  notes->emplace_back(text);
+  return elevation;
+}
+
 }  // namespace
 
 std::shared_ptr<const Terrain> LoadTerrain(const TerrainFiles& files) {
-  const ElevationRaster elevation = LoadElevation(files.elevation);
+  std::vector<std::string> notes;
+  const ElevationRaster elevation = LoadGround(files, &notes);
   LocalFrame frame = MakeFrame(elevation);
   HeightMap heights = MakeHeights(elevation, frame);
   MaterialMap materials = LoadMaterials(files, elevation, frame);
   ObstacleMap obstacles = LoadObstacleLayer(files, heights, frame);
-  return std::make_shared<const Terrain>(std::move(frame), std::move(heights), std::move(materials),
-                                         std::move(obstacles));
+  auto terrain = std::make_shared<Terrain>(std::move(frame), std::move(heights),
+                                           std::move(materials), std::move(obstacles));
+  terrain->set_notes(std::move(notes));
+  return terrain;
 }
 
 }  // namespace dbd

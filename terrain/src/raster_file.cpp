@@ -7,6 +7,9 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "height_scale.h"
+#include "mosaic.h"
+
 namespace dbd {
 
 GDALDatasetUniquePtr OpenRaster(const std::string& name) {
@@ -28,11 +31,27 @@ GDALDatasetUniquePtr OpenRaster(const std::string& name) {
   throw InputError(name + ": cannot be read as a raster: " + reason);
 }
 
-RasterFile::RasterFile(const std::string& file) : name_(file), dataset_(OpenRaster(file)) {
+namespace {
+
+GDALDatasetUniquePtr OpenAll(const std::vector<std::string>& files) {
+  return files.size() == 1 ? OpenRaster(files.front()) : OpenMosaic(files);
+}
+
+std::string NameOf(const std::vector<std::string>& files) {
+  DBD_ASSERT(!files.empty());
+  if (files.size() == 1) return files.front();
+  return files.front() + " and " + std::to_string(files.size() - 1) + " more";
+}
+
+}  // namespace
+
+RasterFile::RasterFile(const RasterRequest& request)
+    : name_(NameOf(request.files)), dataset_(OpenAll(request.files)) {
   const GdalSession gdal;
-  CheckBand();
+  ChooseBand(request.band);
   ReadTransform();
-  ReadCrs();
+  ReadHeightScale(request);
+  ReadCrs(request.crs);
 }
 
 void RasterFile::Fail(const std::string& what) const { throw InputError(name_ + ": " + what); }
@@ -41,14 +60,13 @@ HeightMap::Grid RasterFile::Grid() const {
   return GridOfTransform(transform_, dataset_->GetRasterXSize(), dataset_->GetRasterYSize());
 }
 
-void RasterFile::CheckBand() const {
+void RasterFile::ChooseBand(int requested) {
   const int bands = dataset_->GetRasterCount();
-  if (bands == 0) Fail("holds no raster band");
-  if (bands > 1) Fail("holds " + std::to_string(bands) + " bands, one is needed");
-  const GDALDataType type = band()->GetRasterDataType();
-  if (GDALDataTypeIsComplex(type)) {
-    Fail(std::string("holds complex numbers (") + GDALGetDataTypeName(type) + ")");
+  if (bands > 1 && requested == 0) {
+    Fail("holds " + std::to_string(bands) + " bands, one must be chosen");
   }
+  band_number_ = requested == 0 ? 1 : requested;
+  BandOf(name_, dataset_.get(), band_number_);
 }
 
 void RasterFile::ReadTransform() {
@@ -65,16 +83,42 @@ void RasterFile::ReadTransform() {
   if (transform_[1] <= 0 || side <= 0) Fail("its cells have no positive width and height");
 }
 
-void RasterFile::ReadCrs() {
-  const OGRSpatialReference* crs = dataset_->GetSpatialRef();
-  if (crs == nullptr || crs->IsEmpty() || crs->IsLocal()) return;
-  crs_ = *crs;
+void RasterFile::ReadCrs(const std::string& instead) {
+  if (!instead.empty()) {
+    if (crs_.SetFromUserInput(instead.c_str()) != OGRERR_NONE) {
+      throw InputError("the coordinate system '" + instead + "' for " + name_ +
+                       " is not understood; give EPSG:n, WKT or a PROJ string");
+    }
+  } else {
+    const OGRSpatialReference* crs = dataset_->GetSpatialRef();
+    if (crs == nullptr || crs->IsEmpty() || crs->IsLocal()) return;
+    crs_ = *crs;
+  }
   crs_.StripVertical();
   crs_.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   if (!crs_.IsProjected() && !crs_.IsGeographic()) {
     Fail("its coordinate system is neither projected nor geographic");
   }
   has_crs_ = true;
+}
+
+void RasterFile::ReadHeightScale(const RasterRequest& request) {
+  const HeightScale scale = HeightScaleOf(name_, dataset_.get(), band_number_);
+  height_scale_ = scale.scale;
+  height_offset_ = scale.offset;
+  // A mosaic keeps neither scale nor unit of its parts.
+  if (request.files.size() == 1) return;
+  for (const std::string& file : request.files) {
+    const GDALDatasetUniquePtr part = OpenRaster(file);
+    const HeightScale of_part = HeightScaleOf(file, part.get(), band_number_);
+    const bool is_first = &file == &request.files.front();
+    if (!is_first && (of_part.scale != height_scale_ || of_part.offset != height_offset_)) {
+      throw InputError(file + ": has another scale, offset or unit of height than " +
+                       request.files.front() + ", so they cannot be joined");
+    }
+    height_scale_ = of_part.scale;
+    height_offset_ = of_part.offset;
+  }
 }
 
 void CheckMemoryNeed(const std::string& name, int columns, int rows, std::size_t bytes_per_cell) {

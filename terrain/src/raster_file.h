@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "gdal_session.h"
 
@@ -16,21 +17,34 @@ inline constexpr double kMemoryLimitBytes = 4.0 * 1024 * 1024 * 1024;
 /// Opens any raster that GDAL reads. Throws InputError that names the file and what is wrong.
 GDALDatasetUniquePtr OpenRaster(const std::string& name);
 
+/// Which raster is meant.
+struct RasterRequest {
+  std::vector<std::string> files;  ///< several of one coordinate system are joined; later ones win
+  int band = 0;                    ///< counted from 1; 0: the only one
+  std::string crs;                 ///< instead of the file's own; empty: the file's own
+};
+
 /// A raster that was opened and can be used: one band of real numbers with a place on the map,
 /// not rotated.
 class RasterFile {
  public:
   /// Throws InputError that names the file and what is wrong with it.
-  explicit RasterFile(const std::string& file);
+  explicit RasterFile(const RasterRequest& request);
 
   const std::string& name() const { return name_; }
   GDALDataset* dataset() const { return dataset_.get(); }
-  GDALRasterBand* band() const { return dataset_->GetRasterBand(1); }
+  GDALRasterBand* band() const { return dataset_->GetRasterBand(band_number_); }
+  int band_number() const { return band_number_; }
 
   /// Cells as the file has them, row 0 south, in the file's coordinates.
   HeightMap::Grid Grid() const;
   /// Rows of the file run from south to north.
   bool is_south_up() const { return transform_[5] > 0; }
+
+  /// How stored values become heights: meters = scale * value + offset. The unit is the band's, or
+  /// that of the vertical coordinate system, or metres.
+  double height_scale() const { return height_scale_; }
+  double height_offset() const { return height_offset_; }
 
   /// Coordinate system without its vertical part; null when the file has none.
   const OGRSpatialReference* crs() const { return has_crs_ ? &crs_ : nullptr; }
@@ -39,15 +53,19 @@ class RasterFile {
   [[noreturn]] void Fail(const std::string& what) const;
 
  private:
-  void CheckBand() const;
+  void ChooseBand(int requested);
   void ReadTransform();
-  void ReadCrs();
+  void ReadCrs(const std::string& instead);
+  void ReadHeightScale(const RasterRequest& request);
 
   std::string name_;
   GDALDatasetUniquePtr dataset_;
   double transform_[6] = {};
   OGRSpatialReference crs_;
   bool has_crs_ = false;
+  int band_number_ = 1;
+  double height_scale_ = 1;
+  double height_offset_ = 0;
 };
 
 /// Throws InputError with `name` when `cells` at `bytes_per_cell` exceed the limit.

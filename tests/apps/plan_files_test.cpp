@@ -141,7 +141,7 @@ TEST(PlanJson, HoldsTheAnswerAndItsProof) {
 
 TEST(PlanJson, FileNamesThatAreNotUtf8DoNotMatter) {
   SyntheticPlan made = MakePlan("");
-  made.arguments.terrain.dem = "h\xfcgel.tif";
+  made.arguments.terrain.dem = {"h\xfcgel.tif"};
   EXPECT_NO_THROW(json::parse(PlanJson(made.record())));
 }
 

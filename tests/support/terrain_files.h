@@ -53,6 +53,7 @@ struct TestRaster {
   double scale = 1;
   double offset = 0;
   std::string unit;
+  bool is_point = false;
   std::function<double(int, int)> value = [](int, int) { return 0.0; };
 
   std::string Write(const std::string& file) const {
@@ -74,6 +75,7 @@ struct TestRaster {
     if (scale != 1) band->SetScale(scale);
     if (offset != 0) band->SetOffset(offset);
     if (!unit.empty()) band->SetUnitType(unit.c_str());
+    if (is_point) dataset->SetMetadataItem("AREA_OR_POINT", "Point");
     for (int row = 0; row < rows; ++row) {
       for (int column = 0; column < columns; ++column) {
         double number = value(column, row);

@@ -95,6 +95,108 @@ TEST_F(LoadTerrainTest, UsesAPlainGridWithoutCrs) {
   EXPECT_NEAR(HeightAtMap(*terrain, 500001.5, 5199999), 1, 1e-5);
 }
 
+TEST_F(LoadTerrainTest, ReadsTheBandThatWasChosen) {
+  raster_.bands = 2;  // only the first has values, the second is all 0
+  raster_.value = [](int, int) { return 7; };
+  TerrainFiles files;
+  files.elevation = raster_.Write(directory_.File("a.tif"));
+  files.elevation_band = 2;
+  EXPECT_NEAR(LoadTerrain(files)->Height(0, 0), 0, 1e-5);
+  files.elevation_band = 3;
+  EXPECT_EQ(ErrorOf([&] { LoadTerrain(files); }), files.elevation + ": has no band 3, only 2");
+}
+
+TEST_F(LoadTerrainTest, ReadsHeightsInTheUnitOfTheVerticalSystem) {
+  raster_.crs = "EPSG:32633+6360";  // NAVD88 height (ftUS)
+  raster_.value = [](int, int) { return 3937; };
+  // 3937 US survey feet are 1200 m by definition.
+  EXPECT_NEAR(LoadElevation(raster_.Write(directory_.File("a.tif")))->Height(0, 0), 1200, 1e-3);
+}
+
+TEST_F(LoadTerrainTest, WarpsGridsInFeet) {
+  raster_.columns = raster_.rows = 50;
+  raster_.crs = "EPSG:2229";  // California zone 5 (ftUS)
+  raster_.transform = {6500000, 10, 0, 1850000, 0, -10};
+  raster_.unit = "ft";
+  raster_.value = [](int column, int) { return column; };
+  const auto terrain = LoadElevation(raster_.Write(directory_.File("a.tif")));
+  EXPECT_NEAR(terrain->heights().grid().cell_size.x(), 3.048, 0.05);
+  // Column 20 of heights in feet.
+  const Eigen::Vector2d local = terrain->frame().FromSource({6500205, 1850000 - 255});
+  EXPECT_NEAR(terrain->Height(local.x(), local.y()), 20 * 0.3048, 0.01);
+}
+
+TEST_F(LoadTerrainTest, ShiftsPixelIsPointByHalfACell) {
+  raster_.value = [](int column, int) { return column; };
+  raster_.is_point = true;
+  raster_.Write(directory_.File("point.tif"));
+  // Stored as the place of the first centre: GDAL moves the corner back by half a cell, so that
+  // what was written as a corner reads the same.
+  const auto terrain = LoadElevation(directory_.File("point.tif"));
+  EXPECT_NEAR(HeightAtMap(*terrain, 500002.5, 5199999.5), 2, 1e-5);
+  CPLSetConfigOption("GTIFF_POINT_GEO_IGNORE", "TRUE");
+  const auto ignored = LoadElevation(directory_.File("point.tif"));
+  CPLSetConfigOption("GTIFF_POINT_GEO_IGNORE", nullptr);
+  EXPECT_NEAR(ignored->frame().ToMap(ignored->heights().min_corner()).x() -
+                  terrain->frame().ToMap(terrain->heights().min_corner()).x(),
+              0.5, 1e-9);
+}
+
+TEST_F(LoadTerrainTest, TakesACoordinateSystemWhereTheFileHasNone) {
+  raster_.crs = "";
+  TerrainFiles files;
+  files.elevation = raster_.Write(directory_.File("a.tif"));
+  EXPECT_FALSE(LoadTerrain(files)->frame().has_crs());
+  files.crs = "EPSG:3794";
+  EXPECT_THAT(LoadTerrain(files)->frame().CrsName(), HasSubstr("EPSG:3794"));
+  files.crs = "EPSG:nonsense";
+  EXPECT_THAT(ErrorOf([&] { LoadTerrain(files); }), HasSubstr("'EPSG:nonsense' for"));
+}
+
+TEST_F(LoadTerrainTest, JoinsRasters) {
+  raster_.value = [](int column, int) { return column; };
+  TerrainFiles files;
+  files.elevation = raster_.Write(directory_.File("west.tif"));
+  raster_.transform[0] += raster_.columns;
+  raster_.value = [](int column, int) { return 4 + column; };
+  files.more_elevation = {raster_.Write(directory_.File("east.tif"))};
+  const auto terrain = LoadTerrain(files);
+  EXPECT_EQ(terrain->heights().grid().columns, 8);
+  EXPECT_NEAR(HeightAtMap(*terrain, 500004, 5199999), 3.5, 1e-5);  // across the seam
+  raster_.crs = "EPSG:32632";
+  files.more_elevation = {raster_.Write(directory_.File("other.tif"))};
+  EXPECT_THAT(ErrorOf([&] { LoadTerrain(files); }), HasSubstr("cannot be joined"));
+  raster_.crs = "EPSG:32633";
+  raster_.scale = 0.1;
+  files.more_elevation = {raster_.Write(directory_.File("scaled.tif"))};
+  EXPECT_THAT(ErrorOf([&] { LoadTerrain(files); }), HasSubstr("cannot be joined"));
+  raster_.scale = 1;
+  raster_.unit = "ft";
+  files.more_elevation = {raster_.Write(directory_.File("feet.tif"))};
+  EXPECT_THAT(ErrorOf([&] { LoadTerrain(files); }), HasSubstr("another scale"));
+}
+
+TEST_F(LoadTerrainTest, FillsHolesOnlyWhenAsked) {
+  raster_.columns = raster_.rows = 9;
+  raster_.value = [](int column, int row) {
+    return column == 4 && row == 4 ? std::nan("") : 2.0 * column;
+  };
+  TerrainFiles files;
+  files.elevation = raster_.Write(directory_.File("a.tif"));
+  const auto forbid = LoadTerrain(files);
+  const Eigen::Vector2d hole = forbid->frame().ToLocal({500004.5, 5199995.5});
+  EXPECT_FALSE(forbid->IsKnown(hole.x(), hole.y()));
+  EXPECT_TRUE(forbid->notes().empty());
+  files.unknown_ground = UnknownGround::kFill;
+  const auto fill = LoadTerrain(files);
+  EXPECT_TRUE(fill->IsKnown(hole.x(), hole.y()));
+  // Between the heights on both sides.
+  EXPECT_GT(fill->Height(hole.x(), hole.y()), 6);
+  EXPECT_LT(fill->Height(hole.x(), hole.y()), 10);
+  ASSERT_EQ(fill->notes().size(), 1U);
+  EXPECT_THAT(fill->notes()[0], HasSubstr("1.23 %"));  // 1 of 81 cells
+}
+
 TEST_F(LoadTerrainTest, WarpsGeographicRasters) {
   raster_.columns = raster_.rows = 120;
   raster_.transform = {14.5, 1e-5, 0, 46.5, 0, -1e-5};
@@ -125,7 +227,7 @@ TEST_F(LoadTerrainTest, RefusesWithOneLine) {
   const std::string file = directory_.File("a.tif");
   const auto message = [&] { return ErrorOf([&] { LoadElevation(raster_.Write(file)); }); };
   raster_.bands = 2;
-  EXPECT_EQ(message(), file + ": holds 2 bands, one is needed");
+  EXPECT_EQ(message(), file + ": holds 2 bands, one must be chosen");
   raster_ = {};
   raster_.type = GDT_CFloat32;
   EXPECT_THAT(message(), HasSubstr("complex"));
@@ -207,6 +309,18 @@ TEST_F(LoadTerrainTest, RefusesClassesThatTheTableLacks) {
   raster_.type = GDT_Float32;
   files.materials = raster_.Write(directory_.File("floats.tif"));
   EXPECT_THAT(ErrorOf([&] { LoadTerrain(files); }), HasSubstr("holds Float32"));
+}
+
+TEST_F(LoadTerrainTest, ReadsClassesFromTheBandThatWasChosen) {
+  TerrainFiles files;
+  files.elevation = raster_.Write(directory_.File("dem.tif"));
+  raster_.type = GDT_Byte;
+  raster_.bands = 2;
+  raster_.value = [](int, int) { return 4; };
+  files.materials = raster_.Write(directory_.File("classes.tif"));
+  EXPECT_THAT(ErrorOf([&] { LoadTerrain(files); }), HasSubstr("2 bands"));
+  files.materials_band = 1;
+  EXPECT_EQ(LoadTerrain(files)->materials().At(0, 0)->name, "firm-soil");
 }
 
 TEST_F(LoadTerrainTest, RefusesClassesElsewhere) {

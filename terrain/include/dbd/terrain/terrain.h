@@ -9,14 +9,27 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dbd {
 
+/// What to do where the elevation is unknown.
+enum class UnknownGround {
+  kForbid,  ///< never driven on
+  kFill,    ///< interpolated from around, up to `TerrainFiles::fill_distance` away
+};
+
 /// Where a terrain comes from. Only `elevation` is required.
 struct TerrainFiles {
-  std::string elevation;       ///< any single-band raster that GDAL opens
+  std::string elevation;                    ///< any raster that GDAL opens
+  std::vector<std::string> more_elevation;  ///< joined with it; later ones lie on top
+  int elevation_band = 0;                   ///< counted from 1; 0: the only one
+  std::string crs;  ///< of the elevation, instead of what its file states: EPSG:n, WKT, PROJ
+  UnknownGround unknown_ground = UnknownGround::kForbid;
+  double fill_distance = 50;   ///< [m]
   std::string materials;       ///< class raster, integer
+  int materials_band = 0;      ///< counted from 1; 0: the only one
   std::string material_table;  ///< JSON file, or the name of a table that is built in
   std::string obstacles;       ///< OctoMap .bt or .ot
   Eigen::Vector2d obstacles_origin = Eigen::Vector2d::Zero();  ///< map coordinates of its x = y = 0
@@ -41,11 +54,16 @@ class Terrain final : public Ground {
   const MaterialMap& materials() const { return materials_; }
   const ObstacleMap& obstacles() const { return obstacles_; }
 
+  /// What whoever drives here should know of how it was loaded, one sentence each.
+  const std::vector<std::string>& notes() const { return notes_; }
+  void set_notes(std::vector<std::string> notes) { notes_ = std::move(notes); }
+
  private:
   LocalFrame frame_;
   HeightMap heights_;
   MaterialMap materials_;
   ObstacleMap obstacles_;
+  std::vector<std::string> notes_;
 };
 
 /// Reads the files and brings all of them into one local frame.

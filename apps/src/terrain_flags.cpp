@@ -1,0 +1,63 @@
+#include "terrain_flags.h"
+
+#include <CLI/CLI.hpp>
+
+namespace dbd {
+namespace {
+
+void AddElevationFlags(CLI::App* command, TerrainArguments* terrain) {
+  command
+      ->add_option("--dem", terrain->dem,
+                   "Elevation: any raster that GDAL opens; several are joined, later ones on top")
+      ->required()
+      ->option_text("FILE...");
+  command->add_option("--band", terrain->band, "Band of the elevation, when it has several")
+      ->check(CLI::Range(1, 65535))
+      ->option_text("N");
+  command
+      ->add_option("--crs", terrain->crs,
+                   "Coordinate system of the elevation, instead of what its file states")
+      ->option_text("EPSG:N|WKT|PROJ");
+  command
+      ->add_option("--unknown-ground", terrain->unknown_ground,
+                   "Where the elevation has holes: never drive there, or interpolate; default "
+                   "forbid")
+      ->check(CLI::IsMember({"forbid", "fill"}))
+      ->option_text("forbid|fill");
+  command
+      ->add_option("--fill-distance-m", terrain->fill_distance_m,
+                   "How far from known ground holes are filled, default 50")
+      ->check(CLI::Range(0.01, 1e5))
+      ->option_text("L");
+}
+
+void AddMaterialFlags(CLI::App* command, TerrainArguments* terrain) {
+  command->add_option("--materials", terrain->materials, "Class raster: which soil lies where")
+      ->option_text("FILE");
+  command->add_option("--materials-band", terrain->materials_band, "Its band, when it has several")
+      ->check(CLI::Range(1, 65535))
+      ->option_text("N");
+  command
+      ->add_option("--material-table", terrain->material_table,
+                   "What the classes mean: a built-in table or a JSON file")
+      ->option_text("NAME|FILE");
+}
+
+void AddObstacleFlags(CLI::App* command, TerrainArguments* terrain) {
+  command->add_option("--obstacles", terrain->obstacles, "OctoMap, .bt or .ot")
+      ->option_text("FILE");
+  command
+      ->add_option("--obstacles-origin", terrain->obstacles_origin,
+                   "Map coordinates of the OctoMap's x = y = 0, when it has a frame of its own")
+      ->option_text("X,Y");
+}
+
+}  // namespace
+
+void AddTerrainFlags(CLI::App* command, TerrainArguments* terrain) {
+  AddElevationFlags(command, terrain);
+  AddMaterialFlags(command, terrain);
+  AddObstacleFlags(command, terrain);
+}
+
+}  // namespace dbd
