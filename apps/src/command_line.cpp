@@ -167,6 +167,11 @@ void DeclareScenario(CLI::App* app, Commands* commands) {
       ->option_text("FILE.csv");
   command->add_option("--out", scenario->out, "Write the trajectory, same layout")
       ->option_text("FILE.csv");
+  command
+      ->add_option("--plots", scenario->plots,
+                   "Directory for pictures of motion, forces and spectrum, with the reference's "
+                   "curves when comparing; needs gnuplot")
+      ->option_text("DIR");
   AddScenarioVariants(command, scenario);
   command->callback(
       [commands, scenario] { commands->run = [scenario] { return RunScenario(*scenario); }; });

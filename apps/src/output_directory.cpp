@@ -13,28 +13,26 @@ namespace fs = std::filesystem;
 namespace dbd {
 namespace {
 
-// What dbd's answers consist of, whichever of them a run writes.
-constexpr const char* kAnswerFiles[] = {"plan.json",          "simulate.json", "map.png",
-                                        "candidates.geojson", "trace.csv",     "route.geojson",
-                                        "route.gpx",          "route.csv"};
-
 fs::path Normalized(const std::string& directory) {
   const fs::path path = fs::absolute(directory).lexically_normal();
   return path.has_filename() ? path : path.parent_path();
 }
 
-[[noreturn]] void Refuse(const std::string& directory, const std::string& reason) {
-  throw InputError("--out " + directory + ": " + reason);
-}
-
 }  // namespace
 
-OutputDirectory::OutputDirectory(const std::string& directory) : name_(directory) {
-  if (directory.empty()) throw InputError("--out: the directory has no name");
+std::vector<std::string> OutputDirectory::AnswerFiles() {
+  return {"plan.json", "simulate.json", "map.png",   "candidates.geojson",
+          "trace.csv", "route.geojson", "route.gpx", "route.csv"};
+}
+
+OutputDirectory::OutputDirectory(const std::string& directory, const std::string& flag,
+                                 std::vector<std::string> stale)
+    : name_(directory), flag_(flag), stale_(std::move(stale)) {
+  if (directory.empty()) throw InputError(flag_ + ": the directory has no name");
   directory_ = Normalized(directory);
   std::error_code error;
   const fs::file_status status = fs::status(directory_, error);
-  if (fs::exists(status) && !fs::is_directory(status)) Refuse(name_, "is not a directory");
+  if (fs::exists(status) && !fs::is_directory(status)) Refuse("is not a directory");
   // A directory that exists is staged inside, since its parent need not be writable; a new one is
   // staged beside, so that it appears complete, in one rename.
   const std::string suffix = Format(".partial-%d", getpid());
@@ -64,7 +62,7 @@ void OutputDirectory::Commit() {
   if (!fs::exists(directory_)) {
     fs::rename(staging_, directory_, error);
   } else {
-    for (const char* name : kAnswerFiles) {
+    for (const std::string& name : stale_) {
       if (std::find(staged_.begin(), staged_.end(), name) == staged_.end()) {
         fs::remove(directory_ / name, error);
       }
@@ -73,7 +71,7 @@ void OutputDirectory::Commit() {
       if (!error) fs::rename(staging_ / name, directory_ / name, error);
     }
   }
-  if (error) Refuse(name_, "cannot be written: " + error.message());
+  if (error) Refuse("cannot be written: " + error.message());
   created_parents_.clear();
   RemoveStaging();
 }
@@ -86,11 +84,15 @@ void OutputDirectory::CreateStaging() {
     missing.push_back(p);
   }
   for (auto p = missing.rbegin(); p != missing.rend(); ++p) {
-    if (!fs::create_directory(*p, error)) Refuse(name_, "cannot be created: " + error.message());
+    if (!fs::create_directory(*p, error)) Refuse("cannot be created: " + error.message());
     created_parents_.push_back(*p);
   }
   fs::create_directory(staging_, error);
-  if (error) Refuse(name_, "cannot be created or written: " + error.message());
+  if (error) Refuse("cannot be created or written: " + error.message());
+}
+
+void OutputDirectory::Refuse(const std::string& reason) const {
+  throw InputError(flag_ + " " + name_ + ": " + reason);
 }
 
 void OutputDirectory::RemoveStaging() {

@@ -11,8 +11,11 @@ namespace dbd {
 class OutputDirectory {
  public:
   /// Finds out now, before the long work, whether the directory can be created and written, and
-  /// leaves no trace of having tried. Throws InputError.
-  explicit OutputDirectory(const std::string& directory);
+  /// leaves no trace of having tried. `flag` is named in messages; `stale` are the files of an
+  /// earlier run that `Commit` removes unless they were staged, so that no two answers are mixed.
+  /// Throws InputError.
+  explicit OutputDirectory(const std::string& directory, const std::string& flag = "--out",
+                           std::vector<std::string> stale = AnswerFiles());
 
   /// Removes what was not committed.
   ~OutputDirectory();
@@ -22,8 +25,7 @@ class OutputDirectory {
   /// Where to write the file with this name until `Commit`.
   std::filesystem::path Stage(const std::string& name);
 
-  /// Moves the staged files into the directory. Route files that an earlier run left there and
-  /// this one did not write are removed, so that no two answers are mixed.
+  /// Moves the staged files into the directory and removes stale ones.
   void Commit();
 
   /// As it was typed.
@@ -31,10 +33,16 @@ class OutputDirectory {
   const std::vector<std::string>& staged() const { return staged_; }
 
  private:
+  /// What the answers to `plan` and `simulate` consist of, whichever of them a run writes.
+  static std::vector<std::string> AnswerFiles();
+
   void CreateStaging();
   void RemoveStaging();
+  [[noreturn]] void Refuse(const std::string& reason) const;
 
   std::string name_;
+  std::string flag_;
+  std::vector<std::string> stale_;
   std::filesystem::path directory_;  ///< absolute
   std::filesystem::path staging_;
   std::vector<std::filesystem::path> created_parents_;  ///< outermost first

@@ -11,8 +11,10 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <optional>
 
 #include "cli.h"
+#include "scenario_plots.h"
 
 namespace dbd {
 namespace {
@@ -106,6 +108,53 @@ void PrintAgreement(const std::string& file, const std::vector<SignalAgreement>&
   }
 }
 
+/// A link that joins the front left wheel to the chassis, -1 when there is none.
+int FrontLink(const VehicleModel& vehicle) {
+  const auto front = std::max_element(vehicle.axles.begin(), vehicle.axles.end(),
+                                      [](const auto& a, const auto& b) { return a.x < b.x; });
+  const int carrier = vehicle.wheels[static_cast<std::size_t>(front->left)].body;
+  const auto link =
+      std::find_if(vehicle.links.begin(), vehicle.links.end(),
+                   [carrier](const LinkModel& l) { return l.body_a == 0 && l.body_b == carrier; });
+  return link == vehicle.links.end() ? -1 : static_cast<int>(link - vehicle.links.begin());
+}
+
+/// Where the pictures go and who draws them, made sure of before the drive.
+struct PlotTarget {
+  explicit PlotTarget(const std::string& directory)
+      : gnuplot("--plots"), output(directory, "--plots", ScenarioPlotFiles()) {}
+  Gnuplot gnuplot;
+  OutputDirectory output;
+};
+
+struct RecordedDrive {
+  std::vector<TrajectoryRow> rows;
+  std::vector<double> link_force;
+  double cpu_seconds = 0;
+};
+
+RecordedDrive Record(const Scenario& scenario, const VehicleModel& vehicle,
+                     const SimulationOptions& options, int link) {
+  RecordedDrive drive;
+  const std::clock_t begin = std::clock();
+  drive.rows = RecordScenario(scenario, vehicle, options, [&](const Simulation& simulation) {
+    if (link >= 0) drive.link_force.push_back(simulation.LinkForce(link));
+  });
+  drive.cpu_seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  return drive;
+}
+
+void DrawPlots(const Scenario& scenario, const VehicleModel& vehicle, const RecordedDrive& drive,
+               const std::vector<TrajectoryRow>& reference, PlotTarget* target) {
+  ScenarioPlots plots{"Scenario " + scenario.name + ", " + vehicle.name, drive.rows,
+                      drive.link_force, "", reference};
+  if (const int link = FrontLink(vehicle); link >= 0) {
+    plots.link_name = vehicle.links[static_cast<std::size_t>(link)].name;
+    std::replace(plots.link_name.begin(), plots.link_name.end(), '_', ' ');
+  }
+  WriteScenarioPlots(plots, target->gnuplot, &target->output);
+}
+
 }  // namespace
 
 int RunScenario(const ScenarioArguments& arguments) {
@@ -113,12 +162,15 @@ int RunScenario(const ScenarioArguments& arguments) {
   const VehicleModel vehicle = MakeVehicleAsAsked(arguments);
   const std::vector<TrajectoryRow> reference =
       arguments.compare.empty() ? std::vector<TrajectoryRow>() : ReadTrajectory(arguments.compare);
-  const std::clock_t begin = std::clock();
-  const std::vector<TrajectoryRow> rows =
-      RecordScenario(scenario, vehicle, MakeOptions(arguments, scenario));
-  const double cpu_seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  std::optional<PlotTarget> plots;
+  if (!arguments.plots.empty()) plots.emplace(arguments.plots);
+  const RecordedDrive drive =
+      Record(scenario, vehicle, MakeOptions(arguments, scenario), FrontLink(vehicle));
+  const std::vector<TrajectoryRow>& rows = drive.rows;
+  if (plots) DrawPlots(scenario, vehicle, drive, reference, &*plots);
   if (!arguments.out.empty()) WriteTrajectory(arguments.out, rows);
-  PrintSummary(scenario, vehicle, rows, cpu_seconds);
+  if (plots) plots->output.Commit();
+  PrintSummary(scenario, vehicle, rows, drive.cpu_seconds);
   if (!reference.empty()) {
     PrintAgreement(arguments.compare, CompareTrajectories(rows, reference));
   }

@@ -10,6 +10,7 @@ struct ScenarioArguments {
   std::string vehicle = "tomcar-tm27";
   std::string compare;      ///< trajectory to compare with
   std::string out;          ///< trajectory to write
+  std::string plots;        ///< directory for pictures
   std::string terrain;      ///< other ground: .csv grid or elevation raster
   double target_speed = 0;  ///< [m/s], 0 = the scenario's
   double bump_radius = 0;   ///< [m], 0 = the scenario's ground

@@ -12,13 +12,19 @@ constexpr double kSettleTime = 0.5;    // [s] the design pose is the equilibrium
 }  // namespace
 
 std::vector<TrajectoryRow> RecordScenario(const Scenario& scenario, const VehicleModel& vehicle,
-                                          const SimulationOptions& options) {
+                                          const SimulationOptions& options,
+                                          const std::function<void(const Simulation&)>& observe) {
   Simulation simulation(vehicle, *scenario.ground, options);
   simulation.Place(Eigen::Vector2d::Zero(), 0, kSettleTime);
   ScenarioDriver driver(scenario, vehicle);
   const int every =
       std::max(1, static_cast<int>(std::lround(kRowInterval / simulation.control_step())));
-  std::vector<TrajectoryRow> rows{ObserveRow(simulation, vehicle)};
+  std::vector<TrajectoryRow> rows;
+  const auto keep_row = [&] {
+    rows.push_back(ObserveRow(simulation, vehicle));
+    if (observe) observe(simulation);
+  };
+  keep_row();
   while (simulation.time() < scenario.duration && simulation.IsSane()) {
     for (int i = 0; i < every; ++i) {
       if (options.guide) {
@@ -27,7 +33,7 @@ std::vector<TrajectoryRow> RecordScenario(const Scenario& scenario, const Vehicl
         driver.Advance(simulation);
       }
     }
-    rows.push_back(ObserveRow(simulation, vehicle));
+    keep_row();
   }
   return rows;
 }

@@ -11,6 +11,7 @@ namespace {
 
 constexpr std::size_t kColumns = 19;
 constexpr double kCompareFrom = 2.0;  // [s] both stand until then
+constexpr double kLeastRange = 1e-6;  // [m], [rad], [m/s] or [N]
 
 using RowValues = std::array<double, kColumns>;
 
@@ -167,7 +168,7 @@ std::vector<SignalAgreement> CompareTrajectories(const std::vector<TrajectoryRow
   const std::vector<std::string> names = TrajectoryColumns();
   for (std::size_t i = 2; i < kColumns; ++i) {
     const auto [low, high] = std::minmax_element(theirs[i].begin(), theirs[i].end());
-    if (*high - *low < 1e-9) continue;  // a signal that does not move says nothing
+    if (*high - *low < kLeastRange) continue;  // a signal that does not move says nothing
     result.push_back(Agreement(names[i], ours[i], theirs[i]));
   }
   return result;

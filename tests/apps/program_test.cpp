@@ -146,6 +146,14 @@ TEST_F(Program, RefusesAnEmptyPath) {
                 "given.geojson");
 }
 
+TEST_F(Program, RefusesPlotsWithoutGnuplot) {
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", "/nonexistent", 1);
+  ExpectRefusal("scenario A --plots " + Scratch("plots") + " --out " + Scratch("out.csv"),
+                "--plots: needs the program gnuplot");
+  setenv("PATH", path.c_str(), 1);
+}
+
 TEST_F(Program, RefusesACorruptGeoTiff) {
   const std::string dem = Scratch("given.tif");
   std::ofstream(dem, std::ios::binary) << Read(Land("dem.tif")).substr(0, 300);
