@@ -30,6 +30,8 @@ ordered_json TerrainJson(const TerrainArguments& files) {
   if (!files.materials.empty()) {
     terrain["materials"] = files.materials;
     terrain["material_table"] = files.material_table;
+    if (!files.material_field.empty()) terrain["material_field"] = files.material_field;
+    if (!files.unknown_material.empty()) terrain["unknown_material"] = files.unknown_material;
   }
   if (!files.obstacles.empty()) terrain["obstacles"] = files.obstacles;
   if (!files.obstacles_origin.empty()) terrain["obstacles_origin"] = files.obstacles_origin;

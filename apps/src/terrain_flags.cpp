@@ -32,11 +32,23 @@ void AddElevationFlags(CLI::App* command, TerrainArguments* terrain) {
 }
 
 void AddMaterialFlags(CLI::App* command, TerrainArguments* terrain) {
-  command->add_option("--materials", terrain->materials, "Class raster: which soil lies where")
+  command
+      ->add_option("--materials", terrain->materials,
+                   "Which soil lies where: class raster, or polygons of any OGR format")
       ->option_text("FILE");
   command->add_option("--materials-band", terrain->materials_band, "Its band, when it has several")
       ->check(CLI::Range(1, 65535))
       ->option_text("N");
+  command
+      ->add_option("--material-field", terrain->material_field,
+                   "Polygons' attribute with class number or material name; default the one "
+                   "called class, code, material or name")
+      ->option_text("NAME");
+  command
+      ->add_option("--unknown-material", terrain->unknown_material,
+                   "What to take where there is no class or one that the table lacks; default: "
+                   "refuse such classes, drive nowhere without a class")
+      ->option_text("NAME");
   command
       ->add_option("--material-table", terrain->material_table,
                    "What the classes mean: a built-in table or a JSON file")

@@ -16,6 +16,9 @@ void CheckTogether(const TerrainArguments& arguments) {
   if (arguments.materials.empty() && !arguments.material_table.empty()) {
     throw InputError("--material-table needs --materials: where do its classes lie?");
   }
+  if (arguments.materials.empty() && !arguments.unknown_material.empty()) {
+    throw InputError("--unknown-material needs --materials");
+  }
   if (arguments.obstacles.empty() && !arguments.obstacles_origin.empty()) {
     throw InputError("--obstacles-origin needs --obstacles");
   }
@@ -35,6 +38,8 @@ TerrainFiles MakeTerrainFiles(const TerrainArguments& arguments) {
   files.fill_distance = arguments.fill_distance_m;
   files.materials = arguments.materials;
   files.materials_band = arguments.materials_band;
+  files.material_field = arguments.material_field;
+  files.unknown_material = arguments.unknown_material;
   files.material_table = arguments.material_table;
   files.obstacles = arguments.obstacles;
   if (!arguments.obstacles_origin.empty()) {

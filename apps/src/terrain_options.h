@@ -17,6 +17,8 @@ struct TerrainArguments {
   double fill_distance_m = 50;
   std::string materials;
   int materials_band = 0;
+  std::string material_field;
+  std::string unknown_material;
   std::string material_table;
   std::string obstacles;
   std::string obstacles_origin;  ///< "X,Y" or empty: the OctoMap is in map coordinates

@@ -4,18 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
-#include <unordered_map>
 #include <utility>
 
 #include "fill_unknown.h"
-#include "load_classes.h"
+
 #include "load_elevation.h"
+#include "load_materials.h"
 
 namespace dbd {
 namespace {
-
-constexpr const char* kDefaultTable = "basic";
 
 LocalFrame MakeFrame(const ElevationRaster& elevation) {
   const HeightMap::Grid& grid = elevation.grid;
@@ -32,48 +29,6 @@ HeightMap MakeHeights(const ElevationRaster& elevation, const LocalFrame& frame)
   HeightMap::Grid grid = elevation.grid;
   grid.first_center = frame.ToLocal(grid.first_center);
   return HeightMap(grid, elevation.heights, elevation.base_height);
-}
-
-[[noreturn]] void FailUnknownCode(const std::string& file, int code, const Eigen::Vector2d& place,
-                                  const MaterialTable& table) {
-  char text[200];
-  std::snprintf(text, sizeof text, ": class %d at %.1f, %.1f is not in the material table '%s'",
-                code, place.x(), place.y(), table.name().c_str());
-  throw InputError(file + text);
-}
-
-// Class numbers -> indices into the table.
-std::vector<std::uint8_t> ToIndices(const std::string& file, const HeightMap::Grid& map_grid,
-                                    const std::vector<std::int32_t>& classes,
-                                    const MaterialTable& table) {
-  std::unordered_map<std::int32_t, std::uint8_t> index_of = {{kNoClass, MaterialMap::kNone}};
-  for (std::size_t i = 0; i < table.materials().size(); ++i) {
-    index_of[table.materials()[i].code] = static_cast<std::uint8_t>(i);
-  }
-  std::vector<std::uint8_t> indices(classes.size());
-  for (std::size_t i = 0; i < classes.size(); ++i) {
-    const auto known = index_of.find(classes[i]);
-    if (known == index_of.end()) {
-      const int column = static_cast<int>(i % map_grid.columns);
-      const int row = static_cast<int>(i / map_grid.columns);
-      FailUnknownCode(file, classes[i], map_grid.Center(column, row), table);
-    }
-    indices[i] = known->second;
-  }
-  return indices;
-}
-
-MaterialMap LoadMaterials(const TerrainFiles& files, const ElevationRaster& elevation,
-                          const LocalFrame& frame) {
-  MaterialTable table =
-      MaterialTable::Load(files.material_table.empty() ? kDefaultTable : files.material_table);
-  if (files.materials.empty()) return MaterialMap(table.GetName(files.default_material));
-  const std::vector<std::int32_t> classes =
-      LoadClasses({{files.materials}, files.materials_band, ""}, elevation.grid, elevation.map_wkt);
-  std::vector<std::uint8_t> indices = ToIndices(files.materials, elevation.grid, classes, table);
-  HeightMap::Grid grid = elevation.grid;
-  grid.first_center = frame.ToLocal(grid.first_center);
-  return MaterialMap(std::move(table), grid, std::move(indices));
 }
 
 ObstacleMap LoadObstacleLayer(const TerrainFiles& files, const HeightMap& heights,
@@ -109,7 +64,7 @@ std::shared_ptr<const Terrain> LoadTerrain(const TerrainFiles& files) {
   const ElevationRaster elevation = LoadGround(files, &notes);
   LocalFrame frame = MakeFrame(elevation);
   HeightMap heights = MakeHeights(elevation, frame);
-  MaterialMap materials = LoadMaterials(files, elevation, frame);
+  MaterialMap materials = LoadMaterials(files, elevation, frame, &notes);
   ObstacleMap obstacles = LoadObstacleLayer(files, heights, frame);
   auto terrain = std::make_shared<Terrain>(std::move(frame), std::move(heights),
                                            std::move(materials), std::move(obstacles));

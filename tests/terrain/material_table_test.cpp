@@ -39,8 +39,27 @@ TEST(MaterialTable, HasUscsSoilsByMoisture) {
 
 TEST(MaterialTable, NamesItsBuiltInTables) {
   EXPECT_THAT(MaterialTable::BuiltInNames(),
-              ElementsAre("basic", "forest-ponds", "plate-sinkage", "uscs"));
+              ElementsAre("basic", "fbfm40", "forest-ponds", "nlcd", "nlcd-8", "plate-sinkage",
+                          "uscs", "worldcover"));
   EXPECT_FALSE(MaterialTable::Load("forest-ponds").FindCode(3)->passable);
+}
+
+// Class codes of the products' legends; every row states where its numbers come from.
+TEST(MaterialTable, HasTheCommonLandCoverSchemes) {
+  EXPECT_EQ(MaterialTable::Load("worldcover").materials().size(), 11U);
+  EXPECT_EQ(MaterialTable::Load("worldcover").FindCode(95)->name, "mangroves");
+  EXPECT_EQ(MaterialTable::Load("nlcd").materials().size(), 20U);
+  EXPECT_FALSE(MaterialTable::Load("nlcd").FindCode(11)->passable);
+  // 5 non-burnable, 9 grass, 4 grass-shrub, 9 shrub, 5 understory, 9 litter, 4 slash.
+  EXPECT_EQ(MaterialTable::Load("fbfm40").materials().size(), 45U);
+  EXPECT_FALSE(MaterialTable::Load("fbfm40").FindCode(98)->passable);
+  for (const std::string& name : MaterialTable::BuiltInNames()) {
+    const MaterialTable table = MaterialTable::Load(name);
+    for (const Material& material : table.materials()) {
+      EXPECT_FALSE(material.source.empty()) << name << " " << material.name;
+      EXPECT_GT(material.cone_index_spread, 0) << name << " " << material.name;
+    }
+  }
 }
 
 class MaterialTableFile : public testing::Test {

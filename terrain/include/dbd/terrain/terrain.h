@@ -28,13 +28,18 @@ struct TerrainFiles {
   std::string crs;  ///< of the elevation, instead of what its file states: EPSG:n, WKT, PROJ
   UnknownGround unknown_ground = UnknownGround::kForbid;
   double fill_distance = 50;   ///< [m]
-  std::string materials;       ///< class raster, integer
+  std::string materials;       ///< class raster of integers, or polygons that OGR reads
   int materials_band = 0;      ///< counted from 1; 0: the only one
+  std::string material_field;  ///< polygons' attribute: class number or material name; empty:
+                               ///< the one called class, code, material or name
   std::string material_table;  ///< JSON file, or the name of a table that is built in
   std::string obstacles;       ///< OctoMap .bt or .ot
   Eigen::Vector2d obstacles_origin = Eigen::Vector2d::Zero();  ///< map coordinates of its x = y = 0
   bool obstacles_in_map_coordinates = true;                    ///< false: obstacles_origin is used
-  std::string default_material = "firm-soil";  ///< where there is no material raster
+  std::string default_material = "firm-soil";                  ///< where `materials` is empty
+  /// Material of classes that the table lacks and of places without a class; empty: such classes
+  /// are refused, such places are unknown.
+  std::string unknown_material;
 };
 
 /// The ground with everything on it: surface, soil, obstacles and where it lies on Earth.
