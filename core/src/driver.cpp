@@ -1,4 +1,5 @@
 #include <dbd/core/driver.h>
+#include <dbd/core/powertrain.h>
 
 #include <algorithm>
 #include <cmath>
@@ -50,6 +51,7 @@ Driver::Driver(const VehicleModel& vehicle, const Path& path, const DriverOption
   const AxleModel& lead = LeadingAxle(vehicle);
   wheelbase_ = lead.x - vehicle.path_point_x();
   max_steer_ = lead.max_steer;
+  torque_per_acceleration_ = vehicle.total_mass() / TractionPerEngineTorque(vehicle);
   options_.target_speed = std::min(options_.target_speed, vehicle.limits.max_speed);
   options_.curve_acceleration =
       std::min(options_.curve_acceleration, vehicle.limits.max_lateral_acceleration);
@@ -118,15 +120,16 @@ DriverCommand Driver::Update(const DriverView& view, double dt, DriverState& sta
   command.steer = Steer(view, state);
   state.target_speed = TargetSpeed(view, dt, state);
   const double error = state.target_speed - view.speed;
-  const double most = 10 * options_.speed_gain;
-  state.integral = std::clamp(state.integral + options_.integral_gain * error * dt, -most, most);
+  const double gain = options_.speed_gain * torque_per_acceleration_;
+  const double integral_gain = options_.integral_gain * torque_per_acceleration_;
+  state.integral = std::clamp(state.integral + integral_gain * error * dt, -10 * gain, 10 * gain);
   if (state.target_speed <= 0) {
     state.integral = 0;
     command.brake = 1;
     state.arrived = std::abs(view.speed) < kStandstill;
     return command;
   }
-  command.engine_torque = options_.speed_gain * error + state.integral;
+  command.engine_torque = gain * error + state.integral;
   if (error < -0.5) {
     command.brake = std::min(1.0, options_.brake_gain * (-error - 0.5));
     state.integral = std::min(state.integral, 0.0);

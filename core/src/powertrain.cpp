@@ -27,6 +27,15 @@ void ChooseGear(const PowertrainModel& powertrain, double wheel_speed, Powertrai
   state.time_in_gear = 0;
 }
 
+double DrivenRadius(const VehicleModel& vehicle) {
+  double radius = 0;
+  for (const WheelModel& wheel : vehicle.wheels) {
+    if (!vehicle.axles[static_cast<std::size_t>(wheel.axle)].driven) continue;
+    radius = LoadedRollingRadius(wheel.tire.radius, wheel.static_load / wheel.tire.stiffness);
+  }
+  return radius;
+}
+
 }  // namespace
 
 double FullThrottleTorque(const PowertrainModel& powertrain, double engine_speed) {
@@ -55,12 +64,12 @@ double UpdatePowertrain(const PowertrainModel& powertrain, double asked_torque, 
 double TopSpeed(const VehicleModel& vehicle) {
   const PowertrainModel& powertrain = vehicle.powertrain;
   const int last = static_cast<int>(powertrain.gear_ratios.size()) - 1;
-  double radius = 0;
-  for (const WheelModel& wheel : vehicle.wheels) {
-    if (!vehicle.axles[wheel.axle].driven) continue;
-    radius = LoadedRollingRadius(wheel.tire.radius, wheel.static_load / wheel.tire.stiffness);
-  }
-  return powertrain.max_speed / TotalRatio(powertrain, last) * radius;
+  return powertrain.max_speed / TotalRatio(powertrain, last) * DrivenRadius(vehicle);
+}
+
+double TractionPerEngineTorque(const VehicleModel& vehicle) {
+  const PowertrainModel& powertrain = vehicle.powertrain;
+  return TotalRatio(powertrain, 0) * powertrain.efficiency / DrivenRadius(vehicle);
 }
 
 double MaxWheelTorque(const PowertrainModel& powertrain) {

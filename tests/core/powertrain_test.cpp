@@ -106,5 +106,10 @@ TEST(Powertrain, TopSpeedByHand) {
   EXPECT_NEAR(TopSpeed(Tm27()), 18.495, 0.002);
 }
 
+TEST(Powertrain, TractionPerEngineTorqueByHand) {
+  // 3 * 6.429 / 0.324421 m, no losses.
+  EXPECT_NEAR(TractionPerEngineTorque(Tm27()), 59.450, 0.005);
+}
+
 }  // namespace
 }  // namespace dbd

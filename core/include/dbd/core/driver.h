@@ -17,8 +17,8 @@ struct DriverOptions {
   double least_lookahead = 2.5;     ///< [m]
   double deceleration = 1.5;        ///< used to plan stops and curve entries [m/s^2]
   double curve_acceleration = 2.0;  ///< lateral, in curves [m/s^2]
-  double speed_gain = 60.0;         ///< engine torque per speed error [N m s/m]
-  double integral_gain = 30.0;      ///< [N m/m]
+  double speed_gain = 4.76;         ///< acceleration per speed error, in the lowest gear [1/s]
+  double integral_gain = 2.38;      ///< [1/s^2]
   double brake_gain = 0.4;          ///< share of full brake per m/s too fast, beyond 0.5 m/s
   bool stop_at_end = true;          ///< of the path
   /// Limits that the ground sets, every `kSpeedLimitSpacing` along the path [m/s]; may be empty.
@@ -75,6 +75,7 @@ class Driver {
   DriverOptions options_;
   double wheelbase_;
   double max_steer_;
+  double torque_per_acceleration_;     // of the engine, in the lowest gear [N m s^2/m]
   std::vector<double> speed_profile_;  // every kSpeedLimitSpacing along the path
 };
 

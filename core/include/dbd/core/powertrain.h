@@ -26,6 +26,9 @@ double UpdatePowertrain(const PowertrainModel& powertrain, double asked_torque, 
 /// Speed at the rev limit in the highest gear, or where the drag-free power ends [m/s].
 double TopSpeed(const VehicleModel& vehicle);
 
+/// Sum of wheel forces per engine torque in the lowest gear [1/m].
+double TractionPerEngineTorque(const VehicleModel& vehicle);
+
 /// Largest sum of wheel torques, lowest gear [N m].
 double MaxWheelTorque(const PowertrainModel& powertrain);
 
