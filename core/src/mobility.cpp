@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "axle_swing.h"
 #include "brixius.h"
 #include "soil_rule.h"
 
@@ -91,7 +92,38 @@ double StaticSinkage(const VehicleModel& vehicle, const SoilSample& soil) {
   return deepest;
 }
 
+namespace {
+
+/// A vehicle on one firm axle and one that swings tips over the line from the firm axle's lower
+/// contact to the pivot, and leaves the swinging axle behind on the ground.
+double TippingAngle(const VehicleModel& vehicle, const AxleModel& firm, const AxleModel& swinging) {
+  const int left_behind = vehicle.wheels[static_cast<std::size_t>(swinging.left)].body;
+  double mass = 0;
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < vehicle.bodies.size(); ++i) {
+    if (static_cast<int>(i) == left_behind) continue;
+    mass += vehicle.bodies[i].mass;
+    moment += vehicle.bodies[i].mass * vehicle.bodies[i].p_RB;
+  }
+  const Eigen::Vector3d center = moment / mass, pivot = SwingOf(vehicle, swinging)->center_R;
+  const double along = (center.x() - firm.x) / (pivot.x() - firm.x);
+  const double offset = 0.5 * firm.track * (1 - along);
+  const double line_height = (vehicle.reference_height + pivot.z()) * along;
+  return std::atan2(offset, vehicle.reference_height + center.z() - line_height);
+}
+
+}  // namespace
+
 double StaticStabilityAngle(const VehicleModel& vehicle) {
+  if (vehicle.axles.size() == 2) {
+    for (int firm : {0, 1}) {
+      const AxleModel& axle = vehicle.axles[static_cast<std::size_t>(firm)];
+      const AxleModel& other = vehicle.axles[static_cast<std::size_t>(1 - firm)];
+      if (!SwingsFreely(vehicle, axle) && SwingsFreely(vehicle, other)) {
+        return TippingAngle(vehicle, axle, other);
+      }
+    }
+  }
   return std::atan(vehicle.mean_track() / (2 * vehicle.mass_center_height()));
 }
 

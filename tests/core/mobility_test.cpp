@@ -73,5 +73,14 @@ TEST(Mobility, StabilityAngleFromTrackAndHeight) {
   EXPECT_NEAR(ToDegrees(StaticStabilityAngle(Tm27())), 59.394, 0.001);
 }
 
+TEST(Mobility, AnAxleOnAPivotLeavesATriangle) {
+  // The tractor tips over the line from the rear contact (0, 0.8, 0) to the front pivot (2.4, 0,
+  // 0.6). Without the front axle its mass, 3050 kg at x = 1.131, z = 1 and 1200 kg of rear axle at
+  // x = 0, z = 0.8386 (radius less deflection), has its centre at x = 0.81167, z = 0.9544; there
+  // the line is 0.8 (1 - 0.33819) = 0.52945 to the side and 0.6 * 0.33819 = 0.20292 high.
+  EXPECT_NEAR(ToDegrees(StaticStabilityAngle(*LoadVehicle("tractor"))),
+              ToDegrees(std::atan(0.52945 / (0.9544 - 0.20292))), 0.1);
+}
+
 }  // namespace
 }  // namespace dbd

@@ -23,7 +23,9 @@ double WheelSinkage(const TireModel& tire, const SoilSample& soil, double load, 
 /// Deepest sinkage [m] of any wheel under its static load, without more slip than it needs to move.
 double StaticSinkage(const VehicleModel& vehicle, const SoilSample& soil);
 
-/// Steepest side slope on which the vehicle does not tip over, atan(track / 2 h) [rad].
+/// Steepest side slope on which the vehicle, taken as rigid, does not tip over [rad]:
+/// atan(track / 2 h); with two axles of which one swings on a pivot, over the line from the other
+/// axle's lower contact to the pivot. Springs and tires that give way cost a few degrees.
 double StaticStabilityAngle(const VehicleModel& vehicle);
 
 }  // namespace dbd
