@@ -90,6 +90,8 @@ void Simulation::Impl::StepOnRig() {
   if (options.tire == TireKind::kVerticalDisc) {
     LocateBodies(state, work);
     SetElementForces(engine, controls, state, work);
+    AddContactsAndLoads(vehicle, ground, engine.step, state.step % engine.tire_every == 0, state,
+                        work);
     AddDiscForces(vehicle, ground, state, work);
   } else if (options.tire_scheme == TireScheme::kHold) {
     EvaluateForcesHeld(engine, ground, controls, state, work, held_tires);
@@ -213,6 +215,12 @@ std::uint64_t Simulation::StateHash() const {
   };
   for (const BodyState<double>& body : impl_->state.bodies) add(body);
   for (const WheelState<double>& wheel : impl_->state.wheels) add(wheel);
+  for (const PointContactState<double>& contact : impl_->state.contacts) add(contact);
+  for (const double friction : impl_->state.frictions) add(friction);
+  const PowertrainState& powertrain = impl_->powertrain;
+  add(powertrain.gear);
+  add(powertrain.time_in_gear);
+  add(powertrain.engine_torque);
   return hash;
 }
 

@@ -209,6 +209,33 @@ TEST(Simulation, DriveEnergyCoversTheWorkDone) {
   EXPECT_LT(simulation.drive_energy(), 2.5 * gained);
 }
 
+TEST(Simulation, HashSeesThePowertrain) {
+  const auto ground = MakePlaneGround(0, 0);
+  Simulation braked = Placed(*ground), driven = Placed(*ground);
+  EXPECT_EQ(braked.StateHash(), driven.StateHash());
+  // Before the first step with torque nothing has moved yet, but the clutch knows.
+  braked.Advance({.brake = 1});
+  driven.Advance({.engine_torque = 1e-9, .brake = 1});
+  EXPECT_NE(braked.StateHash(), driven.StateHash());
+}
+
+/// A TM27 whose belly hangs low enough to lie on the ground under the disc tire's rig.
+TEST(Simulation, TheRigLaysBelliesOnTheGroundToo) {
+  VehicleModel vehicle = Tm27();
+  ContactModel skid;
+  skid.p_B = {0, 0, -0.5};  // 25 mm below level ground
+  skid.stiffness = 2e5;
+  skid.damping = 4000;
+  vehicle.contacts.push_back(skid);
+  const auto ground = MakePlaneGround(0, 0);
+  const auto height = [&](const VehicleModel& model) {
+    Simulation simulation(model, *ground, {.tire = TireKind::kVerticalDisc});
+    simulation.Place(Eigen::Vector2d::Zero(), 0, 2);
+    return simulation.Chassis().p_WB.z();
+  };
+  EXPECT_GT(height(vehicle), height(Tm27()) + 0.01);
+}
+
 TEST(Simulation, FallsAndReportsNoContactInTheAir) {
   const auto low = MakePlaneGround(0, 0);
   Simulation simulation(Tm27(), *low);

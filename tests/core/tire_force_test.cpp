@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "support/core_engine.h"
 #include "support/core_vehicle.h"
 
@@ -69,6 +71,52 @@ TEST(TireForce, EverythingVanishesContinuouslyWithTheLoad) {
     EXPECT_LT(std::abs(law.lateral), last_lateral);
     last_limit = law.traction_limit, last_lateral = std::abs(law.lateral);
   }
+}
+
+/// Largest change of traction, lateral force or resistance between neighbours of a sweep.
+double LargestJump(const std::function<HeldWheel(double)>& at, double begin, double end) {
+  constexpr int kCount = 2000;
+  double worst = 0;
+  TireLaw<double> last{};
+  for (int i = 0; i <= kCount; ++i) {
+    HeldWheel w = at(begin + (end - begin) * i / kCount);
+    const TireLaw<double> law = w.Law();
+    if (i > 0) {
+      worst = std::max({worst, std::abs(law.traction0 - last.traction0),
+                        std::abs(law.lateral - last.lateral),
+                        std::abs(law.resistance - last.resistance)});
+    }
+    last = law;
+  }
+  return worst;
+}
+
+// A sweep through standstill, slip zero and the first touch changes no force by more than a small
+// share of the load of 2239 N from one of 2000 places to the next.
+TEST(TireForce, ContinuousThroughStandstillSlipZeroAndLiftOff) {
+  const auto speed = [](double vx) {
+    HeldWheel w;
+    w.body.v_WB = {vx, 0.3 * vx, 0};
+    w.wheel.slip = 0.1, w.wheel.slip_angle = 0.05;
+    return w;
+  };
+  EXPECT_LT(LargestJump(speed, -0.5, 0.5), 10);
+  const auto spin = [](double slip) {
+    HeldWheel w;
+    w.body.v_WB.x = 3;
+    w.wheel.spin = 3 / (0.3244 * (1 - slip));
+    w.wheel.slip = slip;
+    return w;
+  };
+  EXPECT_LT(LargestJump(spin, -0.3, 0.3), 10);
+  const auto height = [](double up) {
+    HeldWheel w;
+    w.body.p_WB.z = up;
+    w.body.v_WB = {3, 0.3, 0};
+    w.wheel.spin = 12, w.wheel.slip_angle = 0.1;
+    return w;
+  };
+  EXPECT_LT(LargestJump(height, -0.01, 0.02), 10);  // it leaves the ground at 9.5 mm
 }
 
 TEST(TireForce, InTheAirThereIsNoForceAndSlipIsForgotten) {

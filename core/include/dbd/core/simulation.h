@@ -109,7 +109,7 @@ class Simulation {
   /// Everything finite, no body torn off (no stiff link stretched by more than 0.2 m).
   bool IsSane() const;
 
-  /// Hash of the whole state, bit by bit.
+  /// Hash of the whole state, bit by bit: bodies, wheels, contacts, frictions, powertrain.
   std::uint64_t StateHash() const;
 
  private:
