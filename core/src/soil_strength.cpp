@@ -134,4 +134,12 @@ SoilStrength SoilStrengthAt(UscsClass soil, double moisture) {
   return strength;
 }
 
+double MovementSpeed(const MovementFactors& factors) {
+  const double slope = (factors.max_off_road_slope - factors.slope) * factors.max_road_speed /
+                       factors.max_on_road_slope;
+  const double contours = (280 - 5 * factors.contour_crossings) / 280;
+  return std::max(0.0, slope) * std::max(0.0, contours) * factors.vegetation * factors.soil *
+         factors.roughness;
+}
+
 }  // namespace dbd

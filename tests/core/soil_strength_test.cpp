@@ -205,5 +205,20 @@ TEST(Uscs, UsableStrengthIsKeptInRange) {
   EXPECT_GE(ToPsi(SoilStrengthAt(UscsClass::kSM, 95).rating_cone_index), 1 - 1e-12);
 }
 
+TEST(MovementSpeed, WorkedExample) {
+  MovementFactors factors;
+  factors.slope = 0.15;
+  factors.max_off_road_slope = 0.45;
+  factors.max_on_road_slope = 0.60;
+  factors.max_road_speed = 144 / 3.6;
+  EXPECT_NEAR(MovementSpeed(factors) * 3.6, 72, 1e-9);
+  factors.contour_crossings = 3;
+  ExpectPrinted(MovementSpeed(factors) * 3.6 / 72, 0.946429);
+  factors.soil = 0.7;
+  ExpectPrinted(MovementSpeed(factors) * 3.6, 47.7, 3);
+  factors.slope = 0.5;
+  EXPECT_EQ(MovementSpeed(factors), 0);
+}
+
 }  // namespace
 }  // namespace dbd

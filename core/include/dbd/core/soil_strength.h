@@ -96,4 +96,19 @@ SoilStrength FittedSoilStrength(UscsClass soil, double moisture);
 /// sand.
 SoilStrength SoilStrengthAt(UscsClass soil, double moisture);
 
+/// Cross-country speed of a movement map after FM 5-33: off-road slope limits the speed, and
+/// contour crossings, vegetation, soil and roughness each take a share.
+struct MovementFactors {
+  double slope = 0;               ///< grade [-]
+  double max_off_road_slope = 0;  ///< grade [-]
+  double max_on_road_slope = 0;   ///< grade [-]
+  double max_road_speed = 0;      ///< [m/s]
+  double contour_crossings = 0;   ///< mean, on the diagonals of a square kilometre
+  double vegetation = 1;          ///< share left, as the next two
+  double soil = 1;
+  double roughness = 1;
+};
+/// [m/s], at least 0. Confidence: one source.
+double MovementSpeed(const MovementFactors& factors);
+
 }  // namespace dbd
