@@ -35,6 +35,14 @@ ordered_json TerrainJson(const TerrainArguments& files) {
   }
   if (!files.obstacles.empty()) terrain["obstacles"] = files.obstacles;
   if (!files.obstacles_origin.empty()) terrain["obstacles_origin"] = files.obstacles_origin;
+  if (!files.dem_origin.empty()) terrain["dem_origin"] = files.dem_origin;
+  if (files.surface_cell_m > 0) terrain["surface_cell_m"] = files.surface_cell_m;
+  if (files.rasterise) terrain["rasterise"] = true;
+  if (files.unknown_space != "free") terrain["unknown_space"] = files.unknown_space;
+  if (!files.surface_model.empty()) {
+    terrain["surface_model"] = files.surface_model;
+    terrain["surface_threshold_m"] = files.surface_threshold_m;
+  }
   return terrain;
 }
 

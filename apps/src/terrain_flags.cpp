@@ -7,8 +7,10 @@ namespace {
 
 void AddElevationFlags(CLI::App* command, TerrainArguments* terrain) {
   command
-      ->add_option("--dem", terrain->dem,
-                   "Elevation: any raster that GDAL opens; several are joined, later ones on top")
+      ->add_option(
+          "--dem", terrain->dem,
+          "Elevation: any raster that GDAL opens (several are joined, later ones on top), a "
+          "TIN (.ply, .obj), points (.xyz), or an OctoMap (.bt, .ot) alone")
       ->required()
       ->option_text("FILE...");
   command->add_option("--band", terrain->band, "Band of the elevation, when it has several")
@@ -29,6 +31,21 @@ void AddElevationFlags(CLI::App* command, TerrainArguments* terrain) {
                    "How far from known ground holes are filled, default 50")
       ->check(CLI::Range(0.01, 1e5))
       ->option_text("L");
+}
+
+void AddSurfaceFlags(CLI::App* command, TerrainArguments* terrain) {
+  command
+      ->add_option("--dem-origin", terrain->dem_origin,
+                   "Map coordinates of x = y = 0 of a TIN, points or OctoMap given as elevation, "
+                   "and its turn (counter-clockwise)")
+      ->option_text("X,Y[,YAW_DEG]");
+  command
+      ->add_option("--surface-cell-m", terrain->surface_cell_m,
+                   "Cells of the raster made from it, default by its density")
+      ->check(CLI::Range(0.01, 1000.0))
+      ->option_text("L");
+  command->add_flag("--rasterise", terrain->rasterise,
+                    "Drive on a raster of the TIN instead of its triangles");
 }
 
 void AddMaterialFlags(CLI::App* command, TerrainArguments* terrain) {
@@ -60,14 +77,31 @@ void AddObstacleFlags(CLI::App* command, TerrainArguments* terrain) {
       ->option_text("FILE");
   command
       ->add_option("--obstacles-origin", terrain->obstacles_origin,
-                   "Map coordinates of the OctoMap's x = y = 0, when it has a frame of its own")
-      ->option_text("X,Y");
+                   "Map coordinates of the OctoMap's x = y = 0 and its turn (counter-clockwise), "
+                   "when it has a frame of its own")
+      ->option_text("X,Y[,YAW_DEG]");
+  command
+      ->add_option("--unknown-space", terrain->unknown_space,
+                   "What an OctoMap has not seen is free, the default, or in the way")
+      ->check(CLI::IsMember({"free", "blocked"}))
+      ->option_text("free|blocked");
+  command
+      ->add_option("--surface-model", terrain->surface_model,
+                   "Raster of heights with trees and buildings: what rises above the elevation is "
+                   "an obstacle")
+      ->option_text("FILE");
+  command
+      ->add_option("--surface-threshold-m", terrain->surface_threshold_m,
+                   "How far it must rise to be one, default 0.5")
+      ->check(CLI::Range(0.0, 100.0))
+      ->option_text("H");
 }
 
 }  // namespace
 
 void AddTerrainFlags(CLI::App* command, TerrainArguments* terrain) {
   AddElevationFlags(command, terrain);
+  AddSurfaceFlags(command, terrain);
   AddMaterialFlags(command, terrain);
   AddObstacleFlags(command, terrain);
 }

@@ -1,6 +1,7 @@
 #include "terrain_options.h"
 
 #include <dbd/core/error.h>
+#include <dbd/core/units.h>
 
 #include "console.h"
 #include "places.h"
@@ -24,6 +25,16 @@ void CheckTogether(const TerrainArguments& arguments) {
   }
 }
 
+MapPlacement ParsePlacement(const std::string& flag, const std::string& text) {
+  MapPlacement placement;
+  if (text.empty()) return placement;
+  const TypedPlace typed = ParsePlace(flag, text);
+  placement.origin = typed.xy;
+  // A yaw, not a compass heading: counter-clockwise.
+  placement.yaw = Degrees(typed.heading_deg.value_or(0));
+  return placement;
+}
+
 }  // namespace
 
 TerrainFiles MakeTerrainFiles(const TerrainArguments& arguments) {
@@ -42,10 +53,14 @@ TerrainFiles MakeTerrainFiles(const TerrainArguments& arguments) {
   files.unknown_material = arguments.unknown_material;
   files.material_table = arguments.material_table;
   files.obstacles = arguments.obstacles;
-  if (!arguments.obstacles_origin.empty()) {
-    files.obstacles_origin = ParsePoint("--obstacles-origin", arguments.obstacles_origin);
-    files.obstacles_in_map_coordinates = false;
-  }
+  files.elevation_placement = ParsePlacement("--dem-origin", arguments.dem_origin);
+  files.surface_cell_size = arguments.surface_cell_m;
+  files.rasterise_tin = arguments.rasterise;
+  files.obstacles_placement = ParsePlacement("--obstacles-origin", arguments.obstacles_origin);
+  files.unknown_space =
+      arguments.unknown_space == "blocked" ? UnknownSpace::kBlocked : UnknownSpace::kFree;
+  files.surface_model = arguments.surface_model;
+  files.surface_threshold = arguments.surface_threshold_m;
   return files;
 }
 

@@ -15,13 +15,19 @@ struct TerrainArguments {
   std::string crs;
   std::string unknown_ground = "forbid";
   double fill_distance_m = 50;
+  std::string dem_origin;  ///< "X,Y[,YAW_DEG]" or empty: in map coordinates
+  double surface_cell_m = 0;
+  bool rasterise = false;
   std::string materials;
   int materials_band = 0;
   std::string material_field;
   std::string unknown_material;
   std::string material_table;
   std::string obstacles;
-  std::string obstacles_origin;  ///< "X,Y" or empty: the OctoMap is in map coordinates
+  std::string obstacles_origin;  ///< "X,Y[,YAW_DEG]" or empty: in map coordinates
+  std::string unknown_space = "free";
+  std::string surface_model;
+  double surface_threshold_m = 0.5;
 };
 
 /// Throws InputError when flags that belong together are given apart.

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include "octree_file.h"
 
@@ -14,27 +15,27 @@ namespace {
 
 constexpr double kMaxLayerCells = 1e9;  // 4 GB
 
+// Unseen space is looked for up to here above the ground [m].
+constexpr double kUnknownReach = 5.0;
+
 struct Leaf {
-  Eigen::Vector2d low;  // south-west corner in W [m]
-  double bottom;        // [m]
-  double side;          // [m]
+  Eigen::Vector2d center;  // in W [m]
+  double bottom;           // [m]
+  double side;             // [m]
 };
 
 template <typename Visit>
-void ForEachOccupied(const octomap::OcTree& tree, const Eigen::Vector2d& offset, Visit visit) {
+void ForEachOccupied(const octomap::OcTree& tree, const MapPlacement& placement, Visit visit) {
   for (auto leaf = tree.begin_leafs(); leaf != tree.end_leafs(); ++leaf) {
     if (!tree.isNodeOccupied(*leaf)) continue;
     const double side = leaf.getSize();
-    const Eigen::Vector2d center(leaf.getX(), leaf.getY());
-    visit(Leaf{center + offset - Eigen::Vector2d::Constant(0.5 * side), leaf.getZ() - 0.5 * side,
-               side});
+    visit(Leaf{placement.ToMap({leaf.getX(), leaf.getY()}), leaf.getZ() - 0.5 * side, side});
   }
 }
 
-// First and one past the last cell centre inside the ground.
-Eigen::Vector2i ClampCell(const Eigen::Vector2d& cell, const HeightMap::Grid& grid) {
-  return {static_cast<int>(std::clamp(cell.x(), 0.0, static_cast<double>(grid.columns))),
-          static_cast<int>(std::clamp(cell.y(), 0.0, static_cast<double>(grid.rows)))};
+// Half the width of the axis-parallel box round a turned square of side 1.
+double HalfReach(const MapPlacement& placement) {
+  return 0.5 * (std::abs(std::cos(placement.yaw)) + std::abs(std::sin(placement.yaw)));
 }
 
 struct Extent {
@@ -42,11 +43,13 @@ struct Extent {
   Eigen::Vector2d high = -low;
 };
 
-Extent ExtentOf(const octomap::OcTree& tree, const Eigen::Vector2d& offset) {
+Extent ExtentOf(const octomap::OcTree& tree, const MapPlacement& placement) {
   Extent extent;
-  ForEachOccupied(tree, offset, [&extent](const Leaf& leaf) {
-    extent.low = extent.low.cwiseMin(leaf.low);
-    extent.high = extent.high.cwiseMax(leaf.low + Eigen::Vector2d::Constant(leaf.side));
+  const double half_reach = HalfReach(placement);
+  ForEachOccupied(tree, placement, [&](const Leaf& leaf) {
+    const Eigen::Vector2d half = Eigen::Vector2d::Constant(half_reach * leaf.side);
+    extent.low = extent.low.cwiseMin(leaf.center - half);
+    extent.high = extent.high.cwiseMax(leaf.center + half);
   });
   return extent;
 }
@@ -96,34 +99,111 @@ double LowestObstacle(double bottom, double side, double resolution, double floo
                                           : std::numeric_limits<double>::infinity();
 }
 
+// The same, of everything on the ground, whole voxels from the octree's corner.
+Extent GroundExtent(const Extent& octree, double resolution, const HeightMap& ground) {
+  const Eigen::Vector2d half_cell = 0.5 * ground.grid().cell_size;
+  const auto whole = [&](const Eigen::Vector2d& place, double direction) -> Eigen::Vector2d {
+    const Eigen::Array2d steps = (place - octree.low).array() / resolution * direction;
+    return octree.low + (steps.ceil() * direction * resolution).matrix();
+  };
+  return {whole(ground.min_corner() - half_cell, -1), whole(ground.max_corner() + half_cell, 1)};
+}
+
+// Lowest obstacle above the ground in each cell.
+class Projection {
+ public:
+  Projection(const HeightMap& ground, const HeightMap::Grid& grid, const MapPlacement& placement,
+             double floor)
+      : ground_(ground),
+        grid_(grid),
+        placement_(placement),
+        floor_(floor),
+        half_reach_(HalfReach(placement)),
+        lowest_(grid.CellCount(), std::numeric_limits<float>::infinity()) {}
+
+  void Add(const Leaf& leaf) {
+    const double resolution = grid_.cell_size.x();
+    // A hair less, so that a leaf does not touch the neighbours that it only borders on.
+    const Eigen::Vector2d half =
+        Eigen::Vector2d::Constant(half_reach_ * leaf.side - 1e-3 * resolution);
+    const auto [first_column, last_column] = Cells(leaf.center, half, 0, grid_.columns);
+    const auto [first_row, last_row] = Cells(leaf.center, half, 1, grid_.rows);
+    for (int row = first_row; row <= last_row; ++row) {
+      for (int column = first_column; column <= last_column; ++column) {
+        const Eigen::Vector2d center = grid_.Center(column, row);
+        if (!Touches(leaf, center)) continue;
+        const double above_ground = leaf.bottom - ground_.Height(center.x(), center.y());
+        Lower(column, row, LowestObstacle(above_ground, leaf.side, resolution, floor_));
+      }
+    }
+  }
+
+  void AddUnknownSpace(const octomap::OcTree& tree) {
+    for (int row = 0; row < grid_.rows; ++row) {
+      for (int column = 0; column < grid_.columns; ++column) AddUnknownColumn(tree, column, row);
+    }
+  }
+
+  std::vector<float> Take() { return std::move(lowest_); }
+
+ private:
+  std::pair<int, int> Cells(const Eigen::Vector2d& center, const Eigen::Vector2d& half, int axis,
+                            int count) const {
+    const auto cell = [&](double place) {
+      return std::floor((place - grid_.first_center[axis]) / grid_.cell_size[axis] + 0.5);
+    };
+    return {static_cast<int>(std::max(0.0, cell(center[axis] - half[axis]))),
+            static_cast<int>(std::min(count - 1.0, cell(center[axis] + half[axis])))};
+  }
+
+  // The turned square of the leaf and the square of the cell; along the grid's axes they do.
+  bool Touches(const Leaf& leaf, const Eigen::Vector2d& cell_center) const {
+    if (placement_.yaw == 0) return true;
+    const double limit = 0.5 * leaf.side + half_reach_ * grid_.cell_size.x();
+    const MapPlacement turned{leaf.center, placement_.yaw};
+    return turned.FromMap(cell_center).cwiseAbs().maxCoeff() <= limit;
+  }
+
+  void AddUnknownColumn(const octomap::OcTree& tree, int column, int row) {
+    const Eigen::Vector2d center = grid_.Center(column, row);
+    const Eigen::Vector2d place = placement_.FromMap(center);
+    const double bottom = ground_.Height(center.x(), center.y());
+    for (double z = floor_; z < kUnknownReach; z += grid_.cell_size.x()) {
+      if (tree.search(place.x(), place.y(), bottom + z) != nullptr) continue;
+      Lower(column, row, z);
+      return;
+    }
+  }
+
+  void Lower(int column, int row, double height) {
+    float& lowest = lowest_[static_cast<std::size_t>(row) * grid_.columns + column];
+    lowest = std::min(lowest, static_cast<float>(height));
+  }
+
+  const HeightMap& ground_;
+  HeightMap::Grid grid_;
+  MapPlacement placement_;
+  double floor_;
+  double half_reach_;
+  std::vector<float> lowest_;
+};
+
 }  // namespace
 
 ObstacleMap LoadObstacles(const std::string& file, const HeightMap& ground,
-                          const Eigen::Vector2d& offset, double floor) {
+                          const MapPlacement& placement, double floor, UnknownSpace unknown_space) {
   const std::unique_ptr<octomap::OcTree> tree = ReadOctree(file);
   const double resolution = tree->getResolution();
-  const Extent extent = ExtentOf(*tree, offset);
-  if (!(extent.low.x() < extent.high.x())) return {};
-  const HeightMap::Grid grid = LayerGrid(file, extent, resolution, ground);
-  const Eigen::Vector2d corner = grid.first_center - Eigen::Vector2d::Constant(0.5 * resolution);
-  std::vector<float> lowest(grid.CellCount(), std::numeric_limits<float>::infinity());
-  ForEachOccupied(*tree, offset, [&](const Leaf& leaf) {
-    const Eigen::Vector2d cell = (leaf.low - corner) / resolution;
-    const Eigen::Vector2d rounded(std::round(cell.x()), std::round(cell.y()));
-    const double across = std::round(leaf.side / resolution);
-    const Eigen::Vector2i begin = ClampCell(rounded, grid);
-    const Eigen::Vector2i end = ClampCell(rounded + Eigen::Vector2d::Constant(across), grid);
-    for (int row = begin.y(); row < end.y(); ++row) {
-      for (int column = begin.x(); column < end.x(); ++column) {
-        const Eigen::Vector2d center = grid.Center(column, row);
-        const double above_ground = leaf.bottom - ground.Height(center.x(), center.y());
-        const double obstacle = LowestObstacle(above_ground, leaf.side, resolution, floor);
-        float& best = lowest[static_cast<std::size_t>(row) * grid.columns + column];
-        best = std::min(best, static_cast<float>(obstacle));
-      }
-    }
-  });
-  return ObstacleMap(grid, std::move(lowest));
+  const Extent occupied = ExtentOf(*tree, placement);
+  if (!(occupied.low.x() < occupied.high.x())) return {};
+  const bool covers_ground = unknown_space == UnknownSpace::kBlocked;
+  const HeightMap::Grid grid =
+      LayerGrid(file, covers_ground ? GroundExtent(occupied, resolution, ground) : occupied,
+                resolution, ground);
+  Projection projection(ground, grid, placement, floor);
+  ForEachOccupied(*tree, placement, [&](const Leaf& leaf) { projection.Add(leaf); });
+  if (covers_ground) projection.AddUnknownSpace(*tree);
+  return ObstacleMap(grid, projection.Take());
 }
 
 }  // namespace dbd

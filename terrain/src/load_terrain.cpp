@@ -1,26 +1,22 @@
 #include <dbd/core/error.h>
 #include <dbd/terrain/terrain.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <utility>
 
+#include "extract_ground.h"
+#include "file_extension.h"
 #include "fill_unknown.h"
-
 #include "load_elevation.h"
 #include "load_materials.h"
+#include "load_surface_model.h"
+#include "load_tin.h"
 
 namespace dbd {
 namespace {
 
 LocalFrame MakeFrame(const ElevationRaster& elevation) {
-  const HeightMap::Grid& grid = elevation.grid;
-  const Eigen::Vector2d center =
-      0.5 * (grid.first_center + grid.Center(grid.columns - 1, grid.rows - 1));
-  // Whole metres, so that local and map coordinates differ by a number that is easy to read.
-  LocalFrame frame(elevation.map_wkt,
-                   Eigen::Vector2d(std::round(center.x()), std::round(center.y())));
+  LocalFrame frame(elevation.map_wkt, OriginOf(elevation.grid));
   frame.set_source_wkt(elevation.source_wkt);
   return frame;
 }
@@ -31,14 +27,6 @@ HeightMap MakeHeights(const ElevationRaster& elevation, const LocalFrame& frame)
   return HeightMap(grid, elevation.heights, elevation.base_height);
 }
 
-ObstacleMap LoadObstacleLayer(const TerrainFiles& files, const HeightMap& heights,
-                              const LocalFrame& frame) {
-  if (files.obstacles.empty()) return {};
-  const Eigen::Vector2d zero_in_map =
-      files.obstacles_in_map_coordinates ? Eigen::Vector2d::Zero() : files.obstacles_origin;
-  return LoadObstacles(files.obstacles, heights, frame.ToLocal(zero_in_map));
-}
-
 RasterRequest ElevationRequest(const TerrainFiles& files) {
   RasterRequest request{{files.elevation}, files.elevation_band, files.crs};
   request.files.insert(request.files.end(), files.more_elevation.begin(),
@@ -46,28 +34,64 @@ RasterRequest ElevationRequest(const TerrainFiles& files) {
   return request;
 }
 
-ElevationRaster LoadGround(const TerrainFiles& files, std::vector<std::string>* notes) {
-  ElevationRaster elevation = LoadElevation(ElevationRequest(files));
-  if (files.unknown_ground == UnknownGround::kForbid) return elevation;
-  const double share = FillUnknown(files.fill_distance, &elevation);
+bool IsTin(const std::string& extension) {
+  return IsMeshExtension(extension) || extension == ".xyz";
+}
+
+// A raster of the ground, and its triangles where it is a TIN.
+TinGround ReadGround(const TerrainFiles& files, std::vector<std::string>* notes) {
+  const std::string extension = LowerExtension(files.elevation);
+  const bool is_raster = !IsTin(extension) && !IsOctreeExtension(extension);
+  if (!is_raster && !files.more_elevation.empty()) {
+    throw InputError(files.elevation + ": only rasters can be joined with others");
+  }
+  if (IsTin(extension)) return LoadTin(files, notes);
+  if (IsOctreeExtension(extension)) return {ExtractGround(files, notes), nullptr};
+  return {LoadElevation(ElevationRequest(files)), nullptr};
+}
+
+TinGround LoadGround(const TerrainFiles& files, std::vector<std::string>* notes) {
+  TinGround ground = ReadGround(files, notes);
+  if (files.unknown_ground == UnknownGround::kForbid) return ground;
+  const double share = FillUnknown(files.fill_distance, &ground.raster);
   char text[120];
   std::snprintf(text, sizeof text, "%.3g %% of the ground was unknown and is interpolated",
                 100 * share);
   notes->emplace_back(text);
-  return elevation;
+  return ground;
+}
+
+// Without a file of its own, an OctoMap that the ground comes from holds the obstacles too.
+ObstacleMap LoadObstacleLayer(const TerrainFiles& files, const ElevationRaster& elevation,
+                              const HeightMap& heights, const LocalFrame& frame) {
+  if (!files.surface_model.empty()) {
+    if (!files.obstacles.empty()) {
+      throw InputError(files.surface_model + ": a surface model and an OctoMap of obstacles " +
+                       "cannot both be given");
+    }
+    return LoadSurfaceModel(files.surface_model, files.surface_threshold, elevation, frame);
+  }
+  const bool is_own = files.obstacles.empty() && IsOctreeExtension(LowerExtension(files.elevation));
+  const std::string& file = is_own ? files.elevation : files.obstacles;
+  if (file.empty()) return {};
+  MapPlacement placement = is_own ? files.elevation_placement : files.obstacles_placement;
+  placement.origin = frame.ToLocal(placement.origin);
+  constexpr double kFloor = 0.3;
+  return LoadObstacles(file, heights, placement, kFloor, files.unknown_space);
 }
 
 }  // namespace
 
 std::shared_ptr<const Terrain> LoadTerrain(const TerrainFiles& files) {
   std::vector<std::string> notes;
-  const ElevationRaster elevation = LoadGround(files, &notes);
-  LocalFrame frame = MakeFrame(elevation);
-  HeightMap heights = MakeHeights(elevation, frame);
-  MaterialMap materials = LoadMaterials(files, elevation, frame, &notes);
-  ObstacleMap obstacles = LoadObstacleLayer(files, heights, frame);
+  const TinGround ground = LoadGround(files, &notes);
+  LocalFrame frame = MakeFrame(ground.raster);
+  HeightMap heights = MakeHeights(ground.raster, frame);
+  MaterialMap materials = LoadMaterials(files, ground.raster, frame, &notes);
+  ObstacleMap obstacles = LoadObstacleLayer(files, ground.raster, heights, frame);
   auto terrain = std::make_shared<Terrain>(std::move(frame), std::move(heights),
                                            std::move(materials), std::move(obstacles));
+  terrain->set_tin(ground.tin);
   terrain->set_notes(std::move(notes));
   return terrain;
 }

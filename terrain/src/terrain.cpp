@@ -1,4 +1,5 @@
 #include <dbd/terrain/terrain.h>
+#include <dbd/terrain/tin_surface.h>
 
 #include <utility>
 
@@ -12,6 +13,9 @@ Terrain::Terrain(LocalFrame frame, HeightMap heights, MaterialMap materials, Obs
 
 void Terrain::Heights(int count, const double* x, const double* y, double* z) const {
   heights_.Heights(count, x, y, z);
+  if (!tin_) return;
+  // Off the triangles the raster continues their heights.
+  for (int i = 0; i < count; ++i) tin_->FindHeight(x[i], y[i], &z[i]);
 }
 
 void Terrain::Soils(int count, const double* x, const double* y, SoilSample* soil) const {
@@ -20,9 +24,16 @@ void Terrain::Soils(int count, const double* x, const double* y, SoilSample* soi
 
 void Terrain::HighestWithin(double radius, int count, const double* x, const double* y,
                             double* z) const {
+  if (tin_) {  // the raster may miss summits between its cells
+    Ground::HighestWithin(radius, count, x, y, z);
+    return;
+  }
   for (int i = 0; i < count; ++i) z[i] = heights_.HighestWithin(radius, x[i], y[i]);
 }
 
-bool Terrain::IsKnown(double x, double y) const { return heights_.IsKnown(x, y); }
+bool Terrain::IsKnown(double x, double y) const {
+  double z = 0;
+  return tin_ ? tin_->FindHeight(x, y, &z) : heights_.IsKnown(x, y);
+}
 
 }  // namespace dbd

@@ -26,8 +26,7 @@ TerrainFiles FilesOf(const GeneratedTerrain& generated) {
   files.materials = generated.materials;
   files.material_table = generated.material_table;
   files.obstacles = generated.obstacles;
-  files.obstacles_origin = generated.obstacles_origin;
-  files.obstacles_in_map_coordinates = false;
+  files.obstacles_placement.origin = generated.obstacles_origin;
   return files;
 }
 

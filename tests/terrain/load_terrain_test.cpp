@@ -389,8 +389,7 @@ TEST(LoadTerrain, ReadsACoRegisteredRealSet) {
   files.materials = SharedFile("landcover/lidr_topography_material_1m.tif");
   files.material_table = "forest-ponds";
   files.obstacles = SharedFile("octomap/lidr_topography_obstacles_0.5m.bt");
-  files.obstacles_in_map_coordinates = false;
-  files.obstacles_origin = {273357, 5274357};
+  files.obstacles_placement.origin = {273357, 5274357};
   const auto terrain = LoadTerrain(files);
   EXPECT_NEAR(terrain->materials().Share(MaterialMap::kNone), 0.00175, 1e-4);
   // Most of what trees fill lies over the canopy class.

@@ -1,10 +1,30 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <memory>
 #include <string>
 
 namespace dbd {
+
+/// How a frame of its own lies on the map: a point (x, y) of it is `origin` + the point turned by
+/// `yaw` (counter-clockwise).
+struct MapPlacement {
+  Eigen::Vector2d origin = Eigen::Vector2d::Zero();  ///< map coordinates of its x = y = 0 [m]
+  double yaw = 0;                                    ///< [rad]
+
+  Eigen::Vector2d FromMap(const Eigen::Vector2d& place) const {
+    const Eigen::Vector2d d = place - origin;
+    const double c = std::cos(yaw);
+    const double s = std::sin(yaw);
+    return {c * d.x() + s * d.y(), c * d.y() - s * d.x()};
+  }
+  Eigen::Vector2d ToMap(const Eigen::Vector2d& point) const {
+    const double c = std::cos(yaw);
+    const double s = std::sin(yaw);
+    return origin + Eigen::Vector2d(c * point.x() - s * point.y(), s * point.x() + c * point.y());
+  }
+};
 
 /// The local frame W of a terrain: metres east and north of an origin in a projected map
 /// coordinate system. Coordinates are converted here on the way in and on the way out, and

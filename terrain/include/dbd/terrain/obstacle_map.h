@@ -1,6 +1,7 @@
 #pragma once
 
 #include <dbd/terrain/height_map.h>
+#include <dbd/terrain/local_frame.h>
 
 #include <cstddef>
 #include <string>
@@ -40,13 +41,21 @@ class ObstacleMap {
   std::vector<float> lowest_;
 };
 
+/// What space is that an OctoMap has not seen.
+enum class UnknownSpace {
+  kFree,     ///< only what is occupied is in the way
+  kBlocked,  ///< what is not known to be free is in the way
+};
+
 /// Reads a .bt or .ot file (an OcTree) and projects it on the ground. Occupied voxels whose bottom
 /// is less than `floor` [m] above the ground, at the middle of their cell, count as ground.
-/// `offset`: W coordinates of the octree's x = y = 0; its z is the height in W. The layer has the
-/// octree's resolution and covers its obstacles inside the ground.
+/// `placement`: where the octree lies in W; its z is the height in W. The layer has the octree's
+/// resolution and covers its obstacles inside the ground; with UnknownSpace::kBlocked it covers
+/// the whole ground, and unseen space up to 5 m above the ground is in the way.
 /// Throws InputError when the file is not such a tree, is corrupt, or all of its obstacles lie
 /// outside the ground.
 ObstacleMap LoadObstacles(const std::string& file, const HeightMap& ground,
-                          const Eigen::Vector2d& offset, double floor = 0.3);
+                          const MapPlacement& placement, double floor = 0.3,
+                          UnknownSpace unknown_space = UnknownSpace::kFree);
 
 }  // namespace dbd

@@ -22,25 +22,40 @@ enum class UnknownGround {
 
 /// Where a terrain comes from. Only `elevation` is required.
 struct TerrainFiles {
-  std::string elevation;                    ///< any raster that GDAL opens
+  /// Any raster that GDAL opens; a mesh (.ply, .obj) or points (.xyz), driven on as a TIN; or an
+  /// OctoMap (.bt, .ot) whose ground is extracted.
+  std::string elevation;
   std::vector<std::string> more_elevation;  ///< joined with it; later ones lie on top
   int elevation_band = 0;                   ///< counted from 1; 0: the only one
   std::string crs;  ///< of the elevation, instead of what its file states: EPSG:n, WKT, PROJ
   UnknownGround unknown_ground = UnknownGround::kForbid;
-  double fill_distance = 50;   ///< [m]
-  std::string materials;       ///< class raster of integers, or polygons that OGR reads
-  int materials_band = 0;      ///< counted from 1; 0: the only one
-  std::string material_field;  ///< polygons' attribute: class number or material name; empty:
-                               ///< the one called class, code, material or name
-  std::string material_table;  ///< JSON file, or the name of a table that is built in
-  std::string obstacles;       ///< OctoMap .bt or .ot
-  Eigen::Vector2d obstacles_origin = Eigen::Vector2d::Zero();  ///< map coordinates of its x = y = 0
-  bool obstacles_in_map_coordinates = true;                    ///< false: obstacles_origin is used
-  std::string default_material = "firm-soil";                  ///< where `materials` is empty
+  double fill_distance = 50;         ///< [m]
+  MapPlacement elevation_placement;  ///< of a mesh, of points or of an OctoMap
+  bool rasterise_tin = false;        ///< drive on a raster of it instead of its triangles
+  double surface_cell_size = 0;      ///< of rasters made from TIN or OctoMap [m]; 0: by its density
+  /// A raster that would need more memory [bytes] is cut to a window round `places`, which are in
+  /// the elevation's own coordinates; without places it is refused.
+  double memory_limit = 4.0 * 1024 * 1024 * 1024;
+  std::vector<Eigen::Vector2d> places;
+  std::string materials;             ///< class raster of integers, or polygons that OGR reads
+  int materials_band = 0;            ///< counted from 1; 0: the only one
+  std::string material_field;        ///< polygons' attribute: class number or material name; empty:
+                                     ///< the one called class, code, material or name
+  std::string material_table;        ///< JSON file, or the name of a table that is built in
+  std::string obstacles;             ///< OctoMap .bt or .ot
+  MapPlacement obstacles_placement;  ///< of its x = y = 0
+  UnknownSpace unknown_space = UnknownSpace::kFree;
+  /// Heights of what stands on the ground (surface model), any raster; what rises more than
+  /// `surface_threshold` [m] above `elevation` is an obstacle. Not together with `obstacles`.
+  std::string surface_model;
+  double surface_threshold = 0.5;
+  std::string default_material = "firm-soil";  ///< where `materials` is empty
   /// Material of classes that the table lacks and of places without a class; empty: such classes
   /// are refused, such places are unknown.
   std::string unknown_material;
 };
+
+class TinSurface;
 
 /// The ground with everything on it: surface, soil, obstacles and where it lies on Earth.
 /// Immutable after loading, shared by all threads.
@@ -59,6 +74,11 @@ class Terrain final : public Ground {
   const MaterialMap& materials() const { return materials_; }
   const ObstacleMap& obstacles() const { return obstacles_; }
 
+  /// Triangles that the wheels touch instead of `heights()`, which then is a raster of them for
+  /// planning and pictures; null when there are none.
+  const TinSurface* tin() const { return tin_.get(); }
+  void set_tin(std::shared_ptr<const TinSurface> tin) { tin_ = std::move(tin); }
+
   /// What whoever drives here should know of how it was loaded, one sentence each.
   const std::vector<std::string>& notes() const { return notes_; }
   void set_notes(std::vector<std::string> notes) { notes_ = std::move(notes); }
@@ -68,6 +88,7 @@ class Terrain final : public Ground {
   HeightMap heights_;
   MaterialMap materials_;
   ObstacleMap obstacles_;
+  std::shared_ptr<const TinSurface> tin_;
   std::vector<std::string> notes_;
 };
 

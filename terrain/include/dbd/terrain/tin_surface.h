@@ -1,0 +1,71 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace dbd {
+
+/// A triangulated surface in W that wheels drive on. Where sheets lie over each other (bridges,
+/// tree crowns in a scan) the lowest counts. Triangles are found through a grid of bins about as
+/// large as the triangles, so that a query's cost does not depend on their number. All functions
+/// are const, allocate nothing and are safe to call from many threads.
+class TinSurface {
+ public:
+  /// What is odd about the triangles.
+  struct Report {
+    std::size_t triangles = 0;       ///< that are driven on
+    std::size_t vertical = 0;        ///< left out: without an area seen from above
+    std::size_t boundary_edges = 0;  ///< edges of one triangle only: the outline and holes' rims
+    std::size_t holes = 0;           ///< closed rims besides the longest
+    double overlap_share = 0;        ///< of sampled places on it, with more than one sheet [-]
+  };
+
+  using Triangle = std::array<std::uint32_t, 3>;
+
+  /// `vertices` in W [m]; `triangles`: indices into it. Throws InputError when no triangle has an
+  /// area seen from above.
+  TinSurface(std::vector<Eigen::Vector3d> vertices, std::vector<Triangle> triangles);
+
+  /// Height of the lowest sheet [m]; false when the place lies on no triangle.
+  bool FindHeight(double x, double y, double* z) const;
+
+  Eigen::Vector2d min_corner() const { return low_; }
+  Eigen::Vector2d max_corner() const { return high_; }
+  /// Typical distance of neighbouring vertices [m].
+  double spacing() const { return spacing_; }
+  const Report& report() const { return report_; }
+  std::size_t memory_bytes() const;
+
+ private:
+  /// A plane inside three half planes, relative to low_ and base_height_.
+  struct Facet {
+    std::array<Eigen::Vector3f, 3> edges;  // (a, b, c): inside where a x + b y + c >= 0
+    Eigen::Vector3f plane;                 // (a, b, c): z = a x + b y + c
+  };
+
+  /// Counter-clockwise corners relative to (low_, base_height_).
+  static Facet MakeFacet(const std::array<Eigen::Vector3d, 3>& corners);
+  void MakeFacets(const std::vector<Eigen::Vector3d>& vertices,
+                  const std::vector<Triangle>& triangles);
+  void MakeBins(const std::vector<Eigen::Vector3d>& vertices,
+                const std::vector<Triangle>& triangles);
+  void CountRims(const std::vector<Triangle>& triangles);
+  void SampleOverlaps();
+  int CountSheets(double x, double y) const;
+
+  Eigen::Vector2d low_ = Eigen::Vector2d::Zero();
+  Eigen::Vector2d high_ = Eigen::Vector2d::Zero();
+  double base_height_ = 0;
+  double spacing_ = 1;
+  std::vector<Facet> facets_;
+  double bin_size_ = 1;
+  int bin_columns_ = 0;
+  int bin_rows_ = 0;
+  std::vector<std::uint32_t> bin_begin_;   // bins + 1, into bin_facets_
+  std::vector<std::uint32_t> bin_facets_;  // indices into facets_
+  Report report_;
+};
+
+}  // namespace dbd

@@ -1,0 +1,223 @@
+#include <dbd/core/error.h>
+#include <dbd/terrain/tin_surface.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace dbd {
+namespace {
+
+using Triangle = TinSurface::Triangle;
+
+// Twice the area seen from above, positive when counter-clockwise [m^2].
+double TwiceArea(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+}
+
+// Smaller than this is a wall or a sliver [m^2].
+constexpr double kLeastTwiceArea = 1e-8;
+
+// A place counts as inside up to this far beyond an edge, so that seams have no gaps [m].
+constexpr float kSeam = 1e-4F;
+
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+// Edges that belong to one triangle only.
+std::vector<Edge> BoundaryEdges(const std::vector<Triangle>& triangles) {
+  std::vector<Edge> edges;
+  edges.reserve(3 * triangles.size());
+  for (const Triangle& t : triangles) {
+    for (int k = 0; k < 3; ++k) edges.push_back(std::minmax({t[k], t[(k + 1) % 3]}));
+  }
+  std::sort(edges.begin(), edges.end());
+  std::vector<Edge> boundary;
+  for (std::size_t i = 0; i < edges.size();) {
+    std::size_t next = i + 1;
+    while (next < edges.size() && edges[next] == edges[i]) ++next;
+    if (next == i + 1) boundary.push_back(edges[i]);
+    i = next;
+  }
+  return boundary;
+}
+
+// Groups of edges that hang together by their ends.
+std::size_t CountConnected(const std::vector<Edge>& edges) {
+  std::map<std::uint32_t, std::uint32_t> parent;
+  const auto root = [&](std::uint32_t vertex) {
+    while (parent[vertex] != vertex) vertex = parent[vertex] = parent[parent[vertex]];
+    return vertex;
+  };
+  for (const auto& [a, b] : edges) {
+    parent.try_emplace(a, a);
+    parent.try_emplace(b, b);
+    parent[root(a)] = root(b);
+  }
+  return static_cast<std::size_t>(std::count_if(
+      parent.begin(), parent.end(), [](const auto& entry) { return entry.first == entry.second; }));
+}
+
+}  // namespace
+
+TinSurface::TinSurface(std::vector<Eigen::Vector3d> vertices, std::vector<Triangle> triangles) {
+  const std::size_t given = triangles.size();
+  std::erase_if(triangles, [&](const Triangle& t) {
+    return std::abs(TwiceArea(vertices[t[0]], vertices[t[1]], vertices[t[2]])) < kLeastTwiceArea;
+  });
+  if (triangles.empty()) throw InputError("no triangle of the mesh has an area seen from above");
+  report_.vertical = given - triangles.size();
+  report_.triangles = triangles.size();
+  for (Triangle& t : triangles) {
+    if (TwiceArea(vertices[t[0]], vertices[t[1]], vertices[t[2]]) < 0) std::swap(t[1], t[2]);
+  }
+  MakeFacets(vertices, triangles);
+  MakeBins(vertices, triangles);
+  CountRims(triangles);
+  SampleOverlaps();
+}
+
+void TinSurface::MakeFacets(const std::vector<Eigen::Vector3d>& vertices,
+                            const std::vector<Triangle>& triangles) {
+  Eigen::Vector3d low = vertices[triangles[0][0]];
+  Eigen::Vector3d high = low;
+  double area = 0;
+  for (const Triangle& t : triangles) {
+    for (const std::uint32_t v : t) {
+      low = low.cwiseMin(vertices[v]);
+      high = high.cwiseMax(vertices[v]);
+    }
+    area += 0.5 * TwiceArea(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
+  }
+  low_ = low.head<2>();
+  high_ = high.head<2>();
+  base_height_ = std::round(low.z());
+  // In a mesh of n triangles there are about n / 2 vertices.
+  spacing_ = std::sqrt(2 * area / static_cast<double>(triangles.size()));
+  const Eigen::Vector3d origin(low.x(), low.y(), base_height_);
+  facets_.reserve(triangles.size());
+  for (const Triangle& t : triangles) {
+    facets_.push_back(
+        MakeFacet({vertices[t[0]] - origin, vertices[t[1]] - origin, vertices[t[2]] - origin}));
+  }
+}
+
+TinSurface::Facet TinSurface::MakeFacet(const std::array<Eigen::Vector3d, 3>& p) {
+  Facet facet;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Eigen::Vector2d d = (p[(k + 1) % 3] - p[k]).head<2>();
+    const Eigen::Vector2d inward = Eigen::Vector2d(-d.y(), d.x()).normalized();
+    facet.edges[k] =
+        Eigen::Vector3d(inward.x(), inward.y(), -inward.dot(p[k].head<2>())).cast<float>();
+  }
+  const Eigen::Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]);
+  const Eigen::Vector2d gradient = -normal.head<2>() / normal.z();
+  const double offset = p[0].z() - gradient.dot(p[0].head<2>());
+  facet.plane = Eigen::Vector3d(gradient.x(), gradient.y(), offset).cast<float>();
+  return facet;
+}
+
+void TinSurface::MakeBins(const std::vector<Eigen::Vector3d>& vertices,
+                          const std::vector<Triangle>& triangles) {
+  constexpr double kMostBins = 5e7;
+  const Eigen::Vector2d size = high_ - low_;
+  bin_size_ = std::max(spacing_, std::sqrt(size.prod() / kMostBins));
+  bin_columns_ = static_cast<int>(size.x() / bin_size_) + 1;
+  bin_rows_ = static_cast<int>(size.y() / bin_size_) + 1;
+  bin_begin_.assign(static_cast<std::size_t>(bin_columns_) * bin_rows_ + 1, 0);
+  const auto for_each_bin = [&](const Triangle& t, auto visit) {
+    Eigen::Array2d low = Eigen::Array2d::Constant(std::numeric_limits<double>::infinity());
+    Eigen::Array2d high = -low;
+    for (const std::uint32_t v : t) {
+      const Eigen::Array2d place = (vertices[v].head<2>() - low_).array();
+      low = low.min((place - double{kSeam}) / bin_size_);
+      high = high.max((place + double{kSeam}) / bin_size_);
+    }
+    const int last_column = std::min(bin_columns_ - 1, static_cast<int>(high.x()));
+    const int last_row = std::min(bin_rows_ - 1, static_cast<int>(high.y()));
+    for (int row = std::max(0, static_cast<int>(low.y())); row <= last_row; ++row) {
+      for (int column = std::max(0, static_cast<int>(low.x())); column <= last_column; ++column) {
+        visit(static_cast<std::size_t>(row) * bin_columns_ + column);
+      }
+    }
+  };
+  for (const Triangle& t : triangles) for_each_bin(t, [&](std::size_t b) { ++bin_begin_[b + 1]; });
+  for (std::size_t b = 1; b < bin_begin_.size(); ++b) bin_begin_[b] += bin_begin_[b - 1];
+  bin_facets_.resize(bin_begin_.back());
+  std::vector<std::uint32_t> next(bin_begin_.begin(), bin_begin_.end() - 1);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    for_each_bin(triangles[i],
+                 [&](std::size_t b) { bin_facets_[next[b]++] = static_cast<std::uint32_t>(i); });
+  }
+}
+
+void TinSurface::CountRims(const std::vector<Triangle>& triangles) {
+  const std::vector<Edge> boundary = BoundaryEdges(triangles);
+  report_.boundary_edges = boundary.size();
+  const std::size_t rims = CountConnected(boundary);
+  report_.holes = rims > 0 ? rims - 1 : 0;
+}
+
+void TinSurface::SampleOverlaps() {
+  constexpr int kAcross = 200;
+  int covered = 0;
+  int several = 0;
+  for (int row = 0; row < kAcross; ++row) {
+    for (int column = 0; column < kAcross; ++column) {
+      const Eigen::Array2d share = Eigen::Array2d(column + 0.5, row + 0.5) / kAcross;
+      const Eigen::Array2d place = low_.array() + share * (high_ - low_).array();
+      const int sheets = CountSheets(place.x(), place.y());
+      covered += sheets > 0;
+      several += sheets > 1;
+    }
+  }
+  report_.overlap_share = covered > 0 ? static_cast<double>(several) / covered : 0;
+}
+
+// Distinct heights, so that places on a seam do not count twice.
+int TinSurface::CountSheets(double x, double y) const {
+  double lowest = 0;
+  if (!FindHeight(x, y, &lowest)) return 0;
+  const auto u = static_cast<float>(x - low_.x());
+  const auto v = static_cast<float>(y - low_.y());
+  const std::size_t bin = static_cast<std::size_t>(v / bin_size_) * bin_columns_ +
+                          static_cast<std::size_t>(u / bin_size_);
+  for (std::uint32_t i = bin_begin_[bin]; i < bin_begin_[bin + 1]; ++i) {
+    const Facet& facet = facets_[bin_facets_[i]];
+    const Eigen::Vector3f place(u, v, 1.0F);
+    const bool inside = std::all_of(facet.edges.begin(), facet.edges.end(),
+                                    [&](const auto& edge) { return edge.dot(place) >= 0.0F; });
+    if (inside && base_height_ + double{facet.plane.dot(place)} > lowest + 0.05) return 2;
+  }
+  return 1;
+}
+
+bool TinSurface::FindHeight(double x, double y, double* z) const {
+  const double u = x - low_.x();
+  const double v = y - low_.y();
+  const bool inside = u >= 0 && v >= 0 && x <= high_.x() && y <= high_.y();
+  if (!inside) return false;
+  const Eigen::Vector3f place(static_cast<float>(u), static_cast<float>(v), 1.0F);
+  const std::size_t bin = static_cast<std::size_t>(v / bin_size_) * bin_columns_ +
+                          static_cast<std::size_t>(u / bin_size_);
+  float lowest = std::numeric_limits<float>::infinity();
+  for (std::uint32_t i = bin_begin_[bin]; i < bin_begin_[bin + 1]; ++i) {
+    const Facet& facet = facets_[bin_facets_[i]];
+    if (facet.edges[0].dot(place) < -kSeam || facet.edges[1].dot(place) < -kSeam ||
+        facet.edges[2].dot(place) < -kSeam) {
+      continue;
+    }
+    lowest = std::min(lowest, facet.plane.dot(place));
+  }
+  if (!std::isfinite(lowest)) return false;
+  *z = base_height_ + double{lowest};
+  return true;
+}
+
+std::size_t TinSurface::memory_bytes() const {
+  return facets_.size() * sizeof(Facet) +
+         (bin_begin_.size() + bin_facets_.size()) * sizeof(std::uint32_t);
+}
+
+}  // namespace dbd
