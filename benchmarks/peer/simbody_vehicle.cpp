@@ -37,6 +37,7 @@ class System {
   const SimTK::MultibodySystem& multibody() const { return system_; }
   State DesignPose();
   TrajectoryRow Observe(const State& state) const;
+  double FrontLinkTension(const State& state) const { return rods_.front().getRodTension(state); }
 
  private:
   void AddCorner(const SuspensionCorner& corner);
@@ -50,7 +51,8 @@ class System {
   SimTK::Force::Gravity gravity_{forces_, matter_, Vec3(0, 0, -kGravity)};
   MobilizedBody::Free chassis_;
   std::vector<MobilizedBody> bodies_;
-  RigForces* rig_ = nullptr;  // owned by the system
+  std::vector<SimTK::Constraint::Rod> rods_;  // the front left wheel's first
+  RigForces* rig_ = nullptr;                  // owned by the system
   std::array<int, 4> wheels_{};
 };
 
@@ -60,7 +62,7 @@ System::System(const VehicleModel& vehicle, const Ground& ground, const GuideFor
       bodies_(vehicle.bodies.size()),
       wheels_(WheelOrder(vehicle)) {
   bodies_[0] = chassis_;
-  for (int i = 0; i < 4; ++i) AddCorner(FindCorner(vehicle, i));
+  for (const int wheel : wheels_) AddCorner(FindCorner(vehicle, wheel));
   rig_ = new RigForces(vehicle, ground, guide, bodies_);
   SimTK::Force::Custom(forces_, rig_);
 }
@@ -69,8 +71,8 @@ void System::AddCorner(const SuspensionCorner& corner) {
   bodies_[corner.carrier] = corner.upper_links.empty() ? AddOnPin(corner) : AddOnArm(corner);
   for (const int index : corner.upper_links) {
     const LinkModel& link = vehicle_.links[index];
-    SimTK::Constraint::Rod(chassis_, ToSimbody(link.p_A), bodies_[corner.carrier],
-                           ToSimbody(link.p_B), DesignLength(vehicle_, link));
+    rods_.emplace_back(chassis_, ToSimbody(link.p_A), bodies_[corner.carrier], ToSimbody(link.p_B),
+                       DesignLength(vehicle_, link));
   }
 }
 
@@ -152,6 +154,10 @@ PeerDrive DriveWithSimbody(const Scenario& scenario, const VehicleModel& vehicle
     const State& state = integrator->getState();
     system.multibody().realize(state, SimTK::Stage::Velocity);
     drive.rows.push_back(system.Observe(state));
+    if (options.link_forces) {
+      system.multibody().realize(state, SimTK::Stage::Acceleration);
+      drive.front_link_force.push_back(system.FrontLinkTension(state));
+    }
   }
   drive.cpu_seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   drive.steps = integrator->getNumStepsTaken();

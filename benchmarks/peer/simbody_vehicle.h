@@ -20,6 +20,7 @@ struct PeerOptions {
   std::string integrator = "merson";   ///< one of PeerIntegrators()
   double accuracy = 1e-3;              ///< relative, of the error control
   double constraint_tolerance = 1e-4;  ///< of joints and rods [m]
+  bool link_forces = false;            ///< keep the front link's, which takes time
   double row_interval = 4e-3;          ///< [s] as the reference trajectories; steps may be longer
 };
 
@@ -28,6 +29,9 @@ std::vector<std::string> PeerIntegrators();
 
 struct PeerDrive {
   std::vector<TrajectoryRow> rows;
+  /// Tension of the front left wheel's first upper link, one per row [N]. (The force of a lower one
+  /// depends on how tie rod and toe joint share their load, which ideal joints leave open.)
+  std::vector<double> front_link_force;
   double cpu_seconds = 0;  ///< of the drive alone, without building the system
   int steps = 0;
   int attempts = 0;

@@ -77,20 +77,33 @@ RowValues Interpolate(const std::vector<TrajectoryRow>& rows, double t) {
   return v;
 }
 
-SignalAgreement Agreement(const std::string& name, const std::vector<double>& ours,
-                          const std::vector<double>& theirs) {
-  const auto n = static_cast<double>(theirs.size());
-  double mean = 0, residual = 0, spread = 0, our_peak = 0, their_peak = 0;
-  for (const double value : theirs) mean += value / n;
-  for (std::size_t i = 0; i < theirs.size(); ++i) {
-    residual += std::pow(ours[i] - theirs[i], 2);
-    spread += std::pow(theirs[i] - mean, 2);
-    our_peak = std::max(our_peak, std::abs(ours[i]));
-    their_peak = std::max(their_peak, std::abs(theirs[i]));
+/// A signal without its value at rest.
+struct Signal {
+  double rest = 0;
+  std::vector<double> values;
+};
+
+/// Largest magnitude, of the values plus `offset`.
+double Peak(const std::vector<double>& values, double offset) {
+  double peak = 0;
+  for (const double value : values) peak = std::max(peak, std::abs(value + offset));
+  return peak;
+}
+
+double RelativeError(double ours, double theirs) { return std::abs(ours - theirs) / theirs; }
+
+SignalAgreement Agreement(const std::string& name, const Signal& ours, const Signal& theirs) {
+  const auto n = static_cast<double>(theirs.values.size());
+  double mean = 0, residual = 0, spread = 0;
+  for (const double value : theirs.values) mean += value / n;
+  for (std::size_t i = 0; i < theirs.values.size(); ++i) {
+    residual += std::pow(ours.values[i] - theirs.values[i], 2);
+    spread += std::pow(theirs.values[i] - mean, 2);
   }
-  const auto [low, high] = std::minmax_element(theirs.begin(), theirs.end());
+  const auto [low, high] = std::minmax_element(theirs.values.begin(), theirs.values.end());
   return {name, 1 - residual / spread, std::sqrt(residual / n) / (*high - *low),
-          std::abs(our_peak - their_peak) / their_peak};
+          RelativeError(Peak(ours.values, 0), Peak(theirs.values, 0)),
+          RelativeError(Peak(ours.values, ours.rest), Peak(theirs.values, theirs.rest))};
 }
 
 }  // namespace
@@ -155,19 +168,23 @@ std::vector<SignalAgreement> CompareTrajectories(const std::vector<TrajectoryRow
   if (end < kCompareFrom + 1) throw InputError("trajectories have too little time in common");
   const RowValues our_rest = Interpolate(rows, kCompareFrom);
   const RowValues their_rest = Interpolate(reference, kCompareFrom);
-  std::array<std::vector<double>, kColumns> ours, theirs;
+  std::array<Signal, kColumns> ours, theirs;
+  for (std::size_t i = 0; i < kColumns; ++i) {
+    ours[i].rest = our_rest[i];
+    theirs[i].rest = their_rest[i];
+  }
   for (const TrajectoryRow& row : reference) {
     if (row.t < kCompareFrom || row.t > end) continue;
     const RowValues a = Interpolate(rows, row.t), b = ToValues(row);
     for (std::size_t i = 0; i < kColumns; ++i) {
-      ours[i].push_back(a[i] - our_rest[i]);
-      theirs[i].push_back(b[i] - their_rest[i]);
+      ours[i].values.push_back(a[i] - our_rest[i]);
+      theirs[i].values.push_back(b[i] - their_rest[i]);
     }
   }
   std::vector<SignalAgreement> result;
   const std::vector<std::string> names = TrajectoryColumns();
   for (std::size_t i = 2; i < kColumns; ++i) {
-    const auto [low, high] = std::minmax_element(theirs[i].begin(), theirs[i].end());
+    const auto [low, high] = std::minmax_element(theirs[i].values.begin(), theirs[i].values.end());
     if (*high - *low < kLeastRange) continue;  // a signal that does not move says nothing
     result.push_back(Agreement(names[i], ours[i], theirs[i]));
   }

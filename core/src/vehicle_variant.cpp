@@ -9,6 +9,9 @@
 namespace dbd {
 namespace {
 
+constexpr double kReferenceFrontTire = 207e3;  // [N/m]
+constexpr double kReferenceRearTire = 235e3;
+
 void TrimAgain(VehicleModel& vehicle) {
   for (SpringModel& spring : vehicle.springs) spring.free_length = 0;
   TrimWheelLoads(vehicle.name, vehicle);
@@ -39,6 +42,14 @@ VehicleModel WithTireStiffness(VehicleModel vehicle, const std::vector<double>& 
   }
   TrimAgain(vehicle);
   return vehicle;
+}
+
+VehicleModel WithReferenceTires(const VehicleModel& vehicle) {
+  std::vector<double> stiffness;
+  for (const AxleModel& axle : vehicle.axles) {
+    stiffness.push_back(axle.x > vehicle.middle_x() ? kReferenceFrontTire : kReferenceRearTire);
+  }
+  return WithTireStiffness(vehicle, stiffness);
 }
 
 VehicleModel WithSteps(VehicleModel vehicle, double factor) {

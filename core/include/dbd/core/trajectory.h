@@ -34,12 +34,13 @@ std::vector<TrajectoryRow> ReadTrajectory(const std::string& file);
 void WriteTrajectory(const std::string& file, const std::vector<TrajectoryRow>& rows);
 
 /// Agreement of one signal with a reference, from t = 2 s on, with both values at t = 2 s taken
-/// off.
+/// off except for `peak_value_error`.
 struct SignalAgreement {
   std::string name;
   double r_squared = 0;
-  double rms = 0;         ///< share of the reference's range
-  double peak_error = 0;  ///< difference of the largest magnitudes, share of the reference's
+  double rms = 0;               ///< share of the reference's range
+  double peak_error = 0;        ///< difference of the largest magnitudes, share of the reference's
+  double peak_value_error = 0;  ///< the same of the values themselves, nothing taken off
 };
 
 /// Compares row by row by time (linear interpolation of `rows` at the reference's times). Throws

@@ -14,6 +14,10 @@ VehicleModel WithLinkStiffness(VehicleModel vehicle, double factor);
 /// Vertical tire stiffness [N/m] of each axle, in the order of `vehicle.axles`.
 VehicleModel WithTireStiffness(VehicleModel vehicle, const std::vector<double>& stiffness);
 
+/// The tires of the reference trajectories: the paper's stiffness, rounded, 207 kN/m in front of the
+/// vehicle's middle and 235 kN/m behind it.
+VehicleModel WithReferenceTires(const VehicleModel& vehicle);
+
 /// All steps `factor` times as long, still synchronised.
 VehicleModel WithSteps(VehicleModel vehicle, double factor);
 
