@@ -111,6 +111,12 @@ void DeclareSimulate(CLI::App* app, Commands* commands) {
                    "Longest drive; default 60, or what the path needs when that is more")
       ->check(CLI::Range(0.1, 1e6))
       ->option_text("T");
+  command
+      ->add_option("--multipass-exponent", simulate->multipass_exponent,
+                   "Ruts deepen with each wheel n of a track as n^(1/A): 2-3 on loose, 4-5 on firm "
+                   "soil; default: every wheel finds fresh soil")
+      ->check(CLI::Range(1.0, 10.0))
+      ->option_text("A");
   AddOutFlag(command, &simulate->out);
   AddJsonFlag(command, &simulate->json, "simulate.json instead of the summary");
   command->callback(

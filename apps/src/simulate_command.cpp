@@ -67,6 +67,7 @@ DriveOptions MakeOptions(const SimulateArguments& arguments, const Path& path) {
   DriveOptions options;
   options.target_speed = KilometersPerHour(arguments.speed_kmh);
   options.duration = arguments.duration;
+  options.sinkage.multipass_exponent = arguments.multipass_exponent;
   if (options.duration <= 0) {
     options.duration = std::max(kDefaultDuration, 30 + 3 * path.length() / options.target_speed);
   }

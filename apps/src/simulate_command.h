@@ -15,7 +15,8 @@ struct SimulateArguments {
   std::string start;
   Coordinates coordinates = Coordinates::kMap;
   double speed_kmh = 18;
-  double duration = 0;  ///< [s], 0 = not given
+  double duration = 0;            ///< [s], 0 = not given
+  double multipass_exponent = 0;  ///< 0 = no multipass
   std::string out;
   bool json = false;
 };

@@ -94,7 +94,7 @@ class Drive {
     if (!simulation_.IsSane()) {
       return Verdict{Outcome::kDiverged, "the simulation of this vehicle became unstable"};
     }
-    Observation observation = Observe(simulation_, terrain_, vehicle_);
+    Observation observation = Observe(simulation_, terrain_, vehicle_, options_.sinkage);
     const Eigen::Vector3d place = simulation_.Chassis().p_WB;
     rollout_.distance += (place - last_place_).head<2>().norm();
     last_place_ = place;

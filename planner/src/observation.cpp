@@ -58,16 +58,24 @@ double BellyClearance(const Terrain& terrain, const VehicleModel& vehicle,
   return least;
 }
 
-double DeepestSinkage(const Terrain& terrain, const VehicleModel& vehicle,
-                      const WheelViews& wheels) {
+/// Which wheel of its track it is, counted from the front.
+int PassOf(const VehicleModel& vehicle, const WheelModel& wheel) {
+  const double x = vehicle.axles[static_cast<std::size_t>(wheel.axle)].x;
+  return 1 + static_cast<int>(std::count_if(vehicle.axles.begin(), vehicle.axles.end(),
+                                            [x](const AxleModel& axle) { return axle.x > x; }));
+}
+
+double DeepestSinkage(const Terrain& terrain, const VehicleModel& vehicle, const WheelViews& wheels,
+                      const SinkageOptions& options) {
   double deepest = 0;
   for (std::size_t i = 0; i < wheels.size(); ++i) {
     const WheelView& wheel = wheels[i];
     if (wheel.load <= 0) continue;
     SoilSample soil = terrain.Soil(wheel.contact_W.x(), wheel.contact_W.y());
     soil.cone_index = wheel.cone_index;
-    deepest = std::max(deepest, WheelSinkage(vehicle.wheels[i].tire, soil, wheel.load,
-                                             wheel.deflection, wheel.slip));
+    const WheelModel& model = vehicle.wheels[i];
+    deepest = std::max(deepest, WheelSinkage(model.tire, soil, wheel.load, wheel.deflection,
+                                             wheel.slip, PassOf(vehicle, model), options));
   }
   return deepest;
 }
@@ -116,7 +124,7 @@ bool HitsObstacle(const Terrain& terrain, const VehicleModel& vehicle, const Cha
 }  // namespace
 
 Observation Observe(const Simulation& simulation, const Terrain& terrain,
-                    const VehicleModel& vehicle) {
+                    const VehicleModel& vehicle, const SinkageOptions& sinkage) {
   const ChassisView chassis = simulation.Chassis();
   const WheelViews wheels = LookAtWheels(simulation, vehicle);
   Observation observation;
@@ -130,7 +138,7 @@ Observation Observe(const Simulation& simulation, const Terrain& terrain,
   sample.pitch = chassis.pitch;
   sample.roll = chassis.roll;
   sample.speed = chassis.forward_speed;
-  sample.sinkage = DeepestSinkage(terrain, vehicle, wheels);
+  sample.sinkage = DeepestSinkage(terrain, vehicle, wheels, sinkage);
   sample.clearance = BellyClearance(terrain, vehicle, chassis);
   sample.load_transfer_ratio = LoadTransferRatio(vehicle, wheels);
   sample.ground_slope = GroundSlope(terrain, vehicle, wheels);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <dbd/core/simulation.h>
+#include <dbd/core/sinkage.h>
 #include <dbd/planner/plan_types.h>
 #include <dbd/terrain/terrain.h>
 
@@ -17,6 +18,6 @@ struct Observation {
 
 /// Looks at the vehicle as it is now.
 Observation Observe(const Simulation& simulation, const Terrain& terrain,
-                    const VehicleModel& vehicle);
+                    const VehicleModel& vehicle, const SinkageOptions& sinkage = {});
 
 }  // namespace dbd

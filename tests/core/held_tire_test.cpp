@@ -77,21 +77,18 @@ TEST(HeldTire, WithOneStepForAllBothSchemesAgree) {
   EXPECT_LT(RmsDifference(HeightsAlong(DriveScenario(waves, vehicle, hold), 25), split), 1e-9);
 }
 
-/// Error of the chassis height in a scenario against one rate of 0.25 ms for everything.
-double ErrorOf(TireScheme scheme, const Scenario& scenario) {
-  const auto fine = DriveScenario(scenario, WithStepSizes(Tm27(), 0.25e-3, 0.25e-3));
-  const double end = fine.back().p_WB.x() - 0.3;
-  SimulationOptions options;
-  options.tire_scheme = scheme;
-  const auto drive = DriveScenario(scenario, WithStepSizes(Tm27(), 2e-3, 8e-3), options);
-  return RmsDifference(HeightsAlong(drive, end), HeightsAlong(fine, end));
-}
-
 TEST(HeldTire, CostsAccuracyInTheScenarios) {
   for (const std::string name : {"A", "B", "C"}) {
     const Scenario scenario = MakeScenario(name);
-    const double split = ErrorOf(TireScheme::kSplit, scenario);
-    const double hold = ErrorOf(TireScheme::kHold, scenario);
+    const auto fine = DriveScenario(scenario, WithStepSizes(Tm27(), 0.25e-3, 0.25e-3));
+    const double end = fine.back().p_WB.x() - 0.3;
+    const auto error_of = [&](TireScheme scheme) {
+      SimulationOptions options;
+      options.tire_scheme = scheme;
+      const auto drive = DriveScenario(scenario, WithStepSizes(Tm27(), 2e-3, 8e-3), options);
+      return RmsDifference(HeightsAlong(drive, end), HeightsAlong(fine, end));
+    };
+    const double split = error_of(TireScheme::kSplit), hold = error_of(TireScheme::kHold);
     RecordProperty("split_um_" + name, static_cast<int>(1e6 * split));
     RecordProperty("hold_um_" + name, static_cast<int>(1e6 * hold));
     EXPECT_GT(hold, 1.5 * split) << name;

@@ -41,6 +41,20 @@ TEST(Judge, LevelGroundShakesNobody) {
   EXPECT_LT(Margin(rollout, "shock").worst, 2);
 }
 
+TEST(Judge, MultipassDeepensTheRuts) {
+  const Terrain terrain = SurfaceTerrain(100, 40, 0.5, [](double, double) { return 0.0; });
+  const auto deepest = [&](double exponent) {
+    DriveOptions options;
+    options.duration = 2;
+    options.sinkage.multipass_exponent = exponent;
+    return Margin(DrivePath(terrain, *LoadVehicle("tomcar-tm27"), Path(), {10, 10}, 0, options),
+                  "sinkage")
+        .worst;
+  };
+  EXPECT_GT(deepest(3), deepest(0));
+  EXPECT_GT(deepest(2), deepest(3));
+}
+
 TEST(Judge, WorstRideOfTheTraceIsTheCertificates) {
   const Rollout rollout = DriveOverWaves(0.04, 1e9, 1e9);
   double power = 0, shock = 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <dbd/core/path.h>
+#include <dbd/core/sinkage.h>
 #include <dbd/core/vehicle_model.h>
 #include <dbd/planner/plan_types.h>
 #include <dbd/terrain/terrain.h>
@@ -16,6 +17,8 @@ struct DriveOptions {
   double trace_distance = 1.0;     ///< of the trace [m], where trace_interval is 0
   double goal_tolerance = 2.0;     ///< of the path's end [m]
   bool stop_at_violation = false;  ///< end the drive where a limit of the vehicle is exceeded
+  /// Multipass: axles are taken to follow the foremost one's ruts.
+  SinkageOptions sinkage = {};
 };
 
 /// Drives one vehicle in full dynamics along `path` until an outcome: this is what "to drive a
