@@ -217,6 +217,8 @@ void DeclareTerrain(CLI::App* app, Commands* commands) {
                    "Rasters, OctoMaps, meshes (.ply, .obj), points (.xyz), paths, areas")
       ->required()
       ->option_text("FILE...");
+  command->add_option("--preview", info->preview, "Draw the first file's ground")
+      ->option_text("FILE.png");
   AddJsonFlag(command, &info->json, "the description as JSON");
   command->callback([commands, info] { commands->run = [info] { return RunTerrainInfo(*info); }; });
 }

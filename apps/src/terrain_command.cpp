@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "cli.h"
+#include "map_image.h"
 #include "output_directory.h"
 #include "summary.h"
 #include "terrain_description.h"
@@ -30,25 +31,50 @@ std::string ExampleCommand(const GeneratedTerrain& terrain, const std::string& d
       file("plan").c_str());
 }
 
-/// Pictures and class rasters hold bytes or several bands.
-bool MayBeElevation(const RasterFileInfo& raster) {
-  return raster.bands == 1 && raster.data_type != "Byte" && raster.has_georeference &&
-         raster.lowest;
+/// Pictures and class rasters hold bytes or several bands; headers alone are no ground.
+bool MayBeGround(const FileInfo& file) {
+  if (const auto* raster = std::get_if<RasterFileInfo>(&file.content)) {
+    return raster->bands == 1 && raster->data_type != "Byte" && raster->has_georeference &&
+           raster->lowest;
+  }
+  return std::holds_alternative<MeshFileInfo>(file.content) ||
+         std::holds_alternative<OctreeFileInfo>(file.content) || file.format == "XYZ";
 }
 
-DescribedFile Describe(const std::string& file) {
-  DescribedFile described{file, DescribeFile(file), std::nullopt};
-  const auto* raster = std::get_if<RasterFileInfo>(&described.file.content);
-  if (raster == nullptr || !MayBeElevation(*raster)) return described;
+/// Null when it cannot be driven on; the file's warnings then say why.
+std::shared_ptr<const Terrain> LoadGround(DescribedFile* described) {
+  if (!MayBeGround(described->file)) return nullptr;
   TerrainFiles files;
-  files.elevation = file;
+  files.elevation = described->name;
+  std::vector<std::string>& warnings = described->file.warnings;
   try {
-    described.ground = DescribeTerrain(*LoadTerrain(files));
+    auto terrain = LoadTerrain(files);
+    warnings.insert(warnings.end(), terrain->notes().begin(), terrain->notes().end());
+    return terrain;
   } catch (const InputError& error) {
     std::string reason = error.what();
-    if (reason.rfind(file + ": ", 0) == 0) reason.erase(0, file.size() + 2);
-    described.file.warnings.push_back("not loaded as ground: " + reason);
+    const std::string name = described->name + ": ";
+    if (reason.rfind(name, 0) == 0) reason.erase(0, name.size());
+    warnings.push_back("not loaded as ground: " + reason);
+    return nullptr;
   }
+}
+
+void WritePreview(const std::string& picture, const std::string& file, const Terrain* terrain) {
+  if (terrain == nullptr) {
+    throw InputError("--preview: " + file + " is no ground that can be drawn");
+  }
+  MapContent content;
+  content.title = std::filesystem::path(file).filename().string();
+  content.subtitle = terrain->frame().CrsName();
+  WriteMapImage(picture, *terrain, content);
+}
+
+DescribedFile Describe(const std::string& file, const std::string& picture) {
+  DescribedFile described{file, DescribeFile(file), std::nullopt};
+  const std::shared_ptr<const Terrain> terrain = LoadGround(&described);
+  if (terrain) described.ground = DescribeTerrain(*terrain);
+  if (!picture.empty()) WritePreview(picture, file, terrain.get());
   return described;
 }
 
@@ -70,7 +96,9 @@ int RunTerrainGenerate(const TerrainGenerateArguments& arguments) {
 
 int RunTerrainInfo(const TerrainInfoArguments& arguments) {
   std::vector<DescribedFile> described;
-  for (const std::string& file : arguments.files) described.push_back(Describe(file));
+  for (const std::string& file : arguments.files) {
+    described.push_back(Describe(file, described.empty() ? arguments.preview : ""));
+  }
   if (arguments.json) {
     std::fputs(TerrainInfoJson(described).c_str(), stdout);
     return kExitOk;

@@ -14,6 +14,7 @@ struct TerrainGenerateArguments {
 
 struct TerrainInfoArguments {
   std::vector<std::string> files;
+  std::string preview;  ///< picture of the first file's ground; empty: none
   bool json = false;
 };
 

@@ -1,6 +1,7 @@
 #include <dbd/terrain/terrain.h>
 #include <dbd/terrain/tin_surface.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace dbd {
@@ -24,11 +25,10 @@ void Terrain::Soils(int count, const double* x, const double* y, SoilSample* soi
 
 void Terrain::HighestWithin(double radius, int count, const double* x, const double* y,
                             double* z) const {
-  if (tin_) {  // the raster may miss summits between its cells
-    Ground::HighestWithin(radius, count, x, y, z);
-    return;
-  }
   for (int i = 0; i < count; ++i) z[i] = heights_.HighestWithin(radius, x[i], y[i]);
+  if (!tin_) return;
+  // The raster may miss summits between its cells; off the triangles it is the ground.
+  for (int i = 0; i < count; ++i) z[i] = std::max(z[i], tin_->HighestWithin(radius, x[i], y[i]));
 }
 
 bool Terrain::IsKnown(double x, double y) const {

@@ -1,4 +1,5 @@
 #include <dbd/terrain/terrain_info.h>
+#include <dbd/terrain/tin_surface.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +76,8 @@ TerrainInfo DescribeTerrain(const Terrain& terrain) {
   DescribeMaterials(terrain.materials(), &info);
   info.crs_name = terrain.frame().CrsName();
   info.memory_bytes = terrain.heights().memory_bytes() + terrain.materials().memory_bytes() +
-                      terrain.obstacles().memory_bytes();
+                      terrain.obstacles().memory_bytes() +
+                      (terrain.tin() != nullptr ? terrain.tin()->memory_bytes() : 0);
   info.has_obstacles = !terrain.obstacles().empty();
   if (info.has_obstacles) {
     info.obstacle_cell_size = terrain.obstacles().grid().cell_size.x();

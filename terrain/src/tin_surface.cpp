@@ -74,6 +74,7 @@ TinSurface::TinSurface(std::vector<Eigen::Vector3d> vertices, std::vector<Triang
   }
   MakeFacets(vertices, triangles);
   MakeBins(vertices, triangles);
+  FindHighest(vertices, triangles);
   CountRims(triangles);
   SampleOverlaps();
 }
@@ -152,6 +153,52 @@ void TinSurface::MakeBins(const std::vector<Eigen::Vector3d>& vertices,
   }
 }
 
+void TinSurface::FindHighest(const std::vector<Eigen::Vector3d>& vertices,
+                             const std::vector<Triangle>& triangles) {
+  const auto none = -std::numeric_limits<float>::infinity();
+  const auto bin_at = [this](int column, int row) {
+    return static_cast<std::size_t>(row) * bin_columns_ + column;
+  };
+  std::vector<float> highest(bin_begin_.size() - 1, none);
+  for (std::size_t b = 0; b < highest.size(); ++b) {
+    for (std::uint32_t i = bin_begin_[b]; i < bin_begin_[b + 1]; ++i) {
+      for (const std::uint32_t v : triangles[bin_facets_[i]]) {
+        highest[b] = std::max(highest[b], static_cast<float>(vertices[v].z() - base_height_));
+      }
+    }
+  }
+  highest_nearby_.assign(highest.size(), none);
+  for (int row = 0; row < bin_rows_; ++row) {
+    for (int column = 0; column < bin_columns_; ++column) {
+      float& best = highest_nearby_[bin_at(column, row)];
+      for (int r = std::max(0, row - 1); r <= std::min(bin_rows_ - 1, row + 1); ++r) {
+        for (int c = std::max(0, column - 1); c <= std::min(bin_columns_ - 1, column + 1); ++c) {
+          best = std::max(best, highest[bin_at(c, r)]);
+        }
+      }
+    }
+  }
+}
+
+double TinSurface::HighestWithin(double radius, double x, double y) const {
+  // Each bin answers for its neighbours too, so one less ring is read.
+  const double rings = std::clamp(std::ceil(radius / bin_size_) - 1.0, 0.0, 1e6);
+  const auto bin_of = [this](double distance, int count) {
+    return static_cast<int>(std::clamp(distance / bin_size_, 0.0, count - 1.0));
+  };
+  const int reach = static_cast<int>(rings);
+  const int column = bin_of(x - low_.x(), bin_columns_);
+  const int row = bin_of(y - low_.y(), bin_rows_);
+  float highest = -std::numeric_limits<float>::infinity();
+  for (int r = std::max(0, row - reach); r <= std::min(bin_rows_ - 1, row + reach); ++r) {
+    for (int c = std::max(0, column - reach); c <= std::min(bin_columns_ - 1, column + reach);
+         ++c) {
+      highest = std::max(highest, highest_nearby_[static_cast<std::size_t>(r) * bin_columns_ + c]);
+    }
+  }
+  return base_height_ + double{highest};
+}
+
 void TinSurface::CountRims(const std::vector<Triangle>& triangles) {
   const std::vector<Edge> boundary = BoundaryEdges(triangles);
   report_.boundary_edges = boundary.size();
@@ -217,7 +264,8 @@ bool TinSurface::FindHeight(double x, double y, double* z) const {
 
 std::size_t TinSurface::memory_bytes() const {
   return facets_.size() * sizeof(Facet) +
-         (bin_begin_.size() + bin_facets_.size()) * sizeof(std::uint32_t);
+         (bin_begin_.size() + bin_facets_.size()) * sizeof(std::uint32_t) +
+         highest_nearby_.size() * sizeof(float);
 }
 
 }  // namespace dbd

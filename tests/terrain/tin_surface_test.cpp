@@ -34,6 +34,21 @@ TEST(TinSurface, InterpolatesInItsTriangles) {
   EXPECT_EQ(tin.report().overlap_share, 0);
 }
 
+TEST(TinSurface, BoundsTheHeightsAround) {
+  const TinSurface tin(SquareVertices(), kSquare);
+  for (const double radius : {0.5, 3.0, 20.0}) {
+    for (double x = -1; x < 12; x += 1.3) {
+      double highest = -1e9;
+      for (double dx = -radius; dx <= radius; dx += radius / 8) {
+        const double z = HeightAt(tin, x + dx, 5);
+        if (!std::isnan(z)) highest = std::max(highest, z);
+      }
+      EXPECT_GE(tin.HighestWithin(radius, x, 5), highest - 1e-5) << radius << " at " << x;
+      EXPECT_LE(tin.HighestWithin(radius, x, 5), 5 + 1e-5);
+    }
+  }
+}
+
 TEST(TinSurface, LeavesWallsOutAndTakesTheLowestSheet) {
   std::vector<Eigen::Vector3d> vertices = SquareVertices();
   Triangles triangles = kSquare;

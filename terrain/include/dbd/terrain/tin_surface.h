@@ -31,6 +31,10 @@ class TinSurface {
   /// Height of the lowest sheet [m]; false when the place lies on no triangle.
   bool FindHeight(double x, double y, double* z) const;
 
+  /// Upper bound of the surface's height within `radius` of a place [m]; minus infinity where no
+  /// triangle is near. One read for radii up to about the spacing of the vertices.
+  double HighestWithin(double radius, double x, double y) const;
+
   Eigen::Vector2d min_corner() const { return low_; }
   Eigen::Vector2d max_corner() const { return high_; }
   /// Typical distance of neighbouring vertices [m].
@@ -51,6 +55,8 @@ class TinSurface {
                   const std::vector<Triangle>& triangles);
   void MakeBins(const std::vector<Eigen::Vector3d>& vertices,
                 const std::vector<Triangle>& triangles);
+  void FindHighest(const std::vector<Eigen::Vector3d>& vertices,
+                   const std::vector<Triangle>& triangles);
   void CountRims(const std::vector<Triangle>& triangles);
   void SampleOverlaps();
   int CountSheets(double x, double y) const;
@@ -65,6 +71,7 @@ class TinSurface {
   int bin_rows_ = 0;
   std::vector<std::uint32_t> bin_begin_;   // bins + 1, into bin_facets_
   std::vector<std::uint32_t> bin_facets_;  // indices into facets_
+  std::vector<float> highest_nearby_;      // of a bin and its eight neighbours, above base_height_
   Report report_;
 };
 
