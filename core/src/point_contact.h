@@ -15,36 +15,61 @@ namespace dbd {
 // give before slip; in exchange a body at rest stays at rest, and no step size makes it chatter
 // below the bristle's own frequency.
 
-/// Samples the tangent plane under every contact point, from heights before, behind, left and right
-/// of it as the body points: the result depends neither on the heading nor on the side.
+/// Height and normal of the ground under `p`, from heights before, behind, left and right of it as
+/// the body points: the result depends neither on the heading nor on the side.
 template <class Real>
-void SamplePointContacts(const VehicleModel& model, const Ground& ground,
-                         const Workspace<Real>& work, EngineState<Real>& state) {
+void SampleTangentPlane(const Ground& ground, const Mat3<Real>& R_WB, const Vec3<Real>& p,
+                        PointContactState<Real>& contact) {
   using S = ScalarOf<Real>;
   constexpr int kLanes = LaneTraits<Real>::kLanes;
   constexpr double kReach = 0.025;  // [m] to each side
   constexpr std::array<std::array<double, 2>, 5> kPlaces = {
       {{0, 0}, {kReach, 0}, {-kReach, 0}, {0, kReach}, {0, -kReach}}};
+  const Vec3<Real> ahead = Normalized(Vec3<Real>{R_WB.x.x, R_WB.x.y, Real(0)});  // left: (-y, x)
+  S x[5 * kLanes], y[5 * kLanes], z[5 * kLanes];
+  for (int j = 0; j < 5; ++j) {
+    const Real along{S(kPlaces[j][0])}, left{S(kPlaces[j][1])};
+    LaneTraits<Real>::Store(p.x + along * ahead.x - left * ahead.y, x + j * kLanes);
+    LaneTraits<Real>::Store(p.y + along * ahead.y + left * ahead.x, y + j * kLanes);
+  }
+  ground.Heights(5 * kLanes, x, y, z);
+  const auto height = [&](int j) { return LaneTraits<Real>::Load(z + j * kLanes); };
+  const Real rise = (height(1) - height(2)) * Real(S(0.5 / kReach));
+  const Real rise_left = (height(3) - height(4)) * Real(S(0.5 / kReach));
+  contact.p_WG = {p.x, p.y, height(0)};
+  contact.normal_W =
+      Normalized(Vec3<Real>{rise_left * ahead.y - rise * ahead.x,
+                            Real(-1) * (rise * ahead.y + rise_left * ahead.x), Real(1)});
+}
+
+/// Samples the ground under every contact point that may touch it before the next sample; a point
+/// high above all ground around counts as over a level plane.
+template <class Real>
+void SamplePointContacts(const VehicleModel& model, const Ground& ground,
+                         const Workspace<Real>& work, EngineState<Real>& state) {
+  using S = ScalarOf<Real>;
+  constexpr int kLanes = LaneTraits<Real>::kLanes;
+  constexpr double kHigh = 0.15;  // [m] more than a body falls or tips in one tire step
   for (std::size_t i = 0; i < model.contacts.size(); ++i) {
     const ContactModel& contact = model.contacts[i];
     const Mat3<Real>& R_WB = work.R_WB[contact.body];
     const Vec3<Real> p = PointOn(state.bodies[contact.body], R_WB, contact.p_B).p;
-    const Vec3<Real> ahead =
-        Normalized(Vec3<Real>{R_WB.x.x, R_WB.x.y, Real(0)});  // left is (-y, x)
-    S x[5 * kLanes], y[5 * kLanes], z[5 * kLanes];
-    for (int j = 0; j < 5; ++j) {
-      const Real along{S(kPlaces[j][0])}, left{S(kPlaces[j][1])};
-      LaneTraits<Real>::Store(p.x + along * ahead.x - left * ahead.y, x + j * kLanes);
-      LaneTraits<Real>::Store(p.y + along * ahead.y + left * ahead.x, y + j * kLanes);
-    }
-    ground.Heights(5 * kLanes, x, y, z);
-    const auto height = [&](int j) { return LaneTraits<Real>::Load(z + j * kLanes); };
-    const Real rise = (height(1) - height(2)) * Real(S(0.5 / kReach));
-    const Real rise_left = (height(3) - height(4)) * Real(S(0.5 / kReach));
-    state.contacts[i].p_WG = {p.x, p.y, height(0)};
-    state.contacts[i].normal_W =
-        Normalized(Vec3<Real>{rise_left * ahead.y - rise * ahead.x,
-                              Real(-1) * (rise * ahead.y + rise_left * ahead.x), Real(1)});
+    S x[kLanes], y[kLanes], z[kLanes];
+    LaneTraits<Real>::Store(p.x, x);
+    LaneTraits<Real>::Store(p.y, y);
+    ground.HighestWithin(kHigh, kLanes, x, y, z);
+    const Real highest = LaneTraits<Real>::Load(z);
+    const auto near = highest + Real(S(kHigh)) > p.z;
+    PointContactState<Real>& c = state.contacts[i];
+    c.normal_W = {Real(0), Real(0), Real(1)};
+    c.p_WG = {p.x, p.y, highest};
+    if (!AnyOf(near)) continue;
+    PointContactState<Real> sampled = c;
+    SampleTangentPlane(ground, R_WB, p, sampled);
+    c.p_WG.z = Select(near, sampled.p_WG.z, highest);
+    c.normal_W = {Select(near, sampled.normal_W.x, Real(0)),
+                  Select(near, sampled.normal_W.y, Real(0)),
+                  Select(near, sampled.normal_W.z, Real(1))};
   }
 }
 

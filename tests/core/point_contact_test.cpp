@@ -116,6 +116,36 @@ TEST(PointContact, NormalOfCurvedGroundDoesNotDependOnTheWorldsAxes) {
   EXPECT_LT((NormalUnder(turned, 1.3) - turn * normal).norm(), 1e-9);
 }
 
+/// Level ground that knows its bound and counts the heights asked of it.
+class CountingGround final : public Ground {
+ public:
+  void Heights(int count, const double*, const double*, double* z) const override {
+    std::fill(z, z + count, 0.0);
+    asked += count;
+  }
+  void Soils(int count, const double*, const double*, SoilSample* soil) const override {
+    std::fill(soil, soil + count, SoilSample{});
+  }
+  void HighestWithin(double, int count, const double*, const double*, double* z) const override {
+    std::fill(z, z + count, 0.0);
+  }
+  mutable int asked = 0;
+};
+
+TEST(PointContact, PointsHighAboveTheGroundAskForNoHeights) {
+  const VehicleModel block = Block(0.5);
+  const CountingGround ground;
+  Scene scene(block, ground);
+  scene.state.bodies[0].p_WB.z = 0.4;  // skids 0.2 m up
+  scene.Run(kStep);
+  EXPECT_EQ(ground.asked, 0);
+  scene.state.bodies[0].p_WB.z = 0.3;
+  scene.Run(kStep);
+  EXPECT_EQ(ground.asked, 4 * 5);
+  scene.Run(3);  // falls, and lies on its skids
+  EXPECT_NEAR(scene.state.bodies[0].p_WB.z, 0.2 - 981.0 / 4e5, 2e-5);
+}
+
 TEST(PointContact, NeverPullsAndDoesNothingInTheAir) {
   const VehicleModel block = Block(0.5);
   const auto ground = MakePlaneGround(0, 0);

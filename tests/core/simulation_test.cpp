@@ -228,8 +228,10 @@ TEST(Simulation, TheRigLaysBelliesOnTheGroundToo) {
   skid.damping = 4000;
   vehicle.contacts.push_back(skid);
   const auto ground = MakePlaneGround(0, 0);
+  SimulationOptions options;
+  options.tire = TireKind::kVerticalDisc;
   const auto height = [&](const VehicleModel& model) {
-    Simulation simulation(model, *ground, {.tire = TireKind::kVerticalDisc});
+    Simulation simulation(model, *ground, options);
     simulation.Place(Eigen::Vector2d::Zero(), 0, 2);
     return simulation.Chassis().p_WB.z();
   };
