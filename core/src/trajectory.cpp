@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <limits>
 
 namespace dbd {
 namespace {
@@ -51,17 +52,27 @@ RowValues ParseRow(const std::string& line, const std::string& place) {
   return values;
 }
 
-/// A vehicle's wheels in the order of the file; wheels are named by their axles' places.
+/// Wheels of the foremost and of the rearmost axle, in the order of the file.
 std::array<int, 4> WheelOrder(const VehicleModel& vehicle) {
-  if (vehicle.axles.size() != 2 || vehicle.springs.size() != 4) {
-    throw InputError(vehicle.name +
-                     ": trajectories are for vehicles with two axles and a spring "
-                     "at each wheel");
+  const auto [rear, front] =
+      std::minmax_element(vehicle.axles.begin(), vehicle.axles.end(),
+                          [](const AxleModel& a, const AxleModel& b) { return a.x < b.x; });
+  return {front->left, front->right, rear->left, rear->right};
+}
+
+/// The spring that acts on a wheel's body nearest to the wheel, -1 when there is none.
+int SpringAt(const VehicleModel& vehicle, int wheel_index) {
+  const WheelModel& wheel = vehicle.wheels[wheel_index];
+  int nearest = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < vehicle.springs.size(); ++i) {
+    const SpringModel& spring = vehicle.springs[i];
+    const double distance = std::abs(spring.p_B.y() - wheel.p_BH.y());
+    if (spring.body_b != wheel.body || distance >= least) continue;
+    least = distance;
+    nearest = static_cast<int>(i);
   }
-  const bool first_is_front = vehicle.axles[0].x > vehicle.axles[1].x;
-  const AxleModel& front = vehicle.axles[first_is_front ? 0 : 1];
-  const AxleModel& rear = vehicle.axles[first_is_front ? 1 : 0];
-  return {front.left, front.right, rear.left, rear.right};
+  return nearest;
 }
 
 RowValues Interpolate(const std::vector<TrajectoryRow>& rows, double t) {
@@ -127,7 +138,8 @@ TrajectoryRow ObserveRow(const Simulation& simulation, const VehicleModel& vehic
   row.vx = chassis.v_WB.x();
   for (std::size_t i = 0; i < 4; ++i) {
     const WheelView wheel = simulation.Wheel(order[i]);
-    row.spring_force[i] = simulation.SpringForce(order[i]);
+    const int spring = SpringAt(vehicle, order[i]);
+    row.spring_force[i] = spring < 0 ? 0 : simulation.SpringForce(spring);
     row.wheel_height[i] = wheel.p_WH.z();
     row.tire_force[i] = wheel.load;
   }

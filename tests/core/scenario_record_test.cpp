@@ -1,4 +1,5 @@
 #include <dbd/core/scenario_record.h>
+#include <dbd/core/units.h>
 #include <dbd/core/vehicle_variant.h>
 #include <gtest/gtest.h>
 
@@ -39,6 +40,29 @@ TEST(RecordScenario, RigAndDiscTireStandAsTheReferenceDoes) {
   EXPECT_NEAR(rows.back().z_ref, 0.381, 1e-4);
   EXPECT_NEAR(rows.back().wheel_height[0], 0.310544, 1e-5);
   EXPECT_NEAR(rows.back().wheel_height[2], 0.320673, 1e-5);
+}
+
+// On level ground a vehicle's springs and tires do not depend on the side; rigid axles have none.
+TEST(RecordScenario, EveryVehicleHasARow) {
+  for (const std::string& name : BuiltInVehicleNames()) {
+    const auto vehicle = LoadVehicle(name);
+    Scenario scenario = MakeScenario("A");
+    scenario.duration = 0.1;
+    const TrajectoryRow row = RecordScenario(scenario, *vehicle).back();
+    double front_and_rear = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_GT(row.tire_force[i], 0) << name;
+      front_and_rear += row.tire_force[i];
+    }
+    EXPECT_NEAR(row.spring_force[0], row.spring_force[1], 0.02 * front_and_rear) << name;
+    EXPECT_NEAR(row.spring_force[2], row.spring_force[3], 0.02 * front_and_rear) << name;
+    const double weight = kGravity * vehicle->total_mass();
+    if (vehicle->axles.size() == 2) {
+      EXPECT_NEAR(front_and_rear, weight, 0.02 * weight) << name;
+    } else {
+      EXPECT_LT(front_and_rear, 0.9 * weight) << name;  // the middle axle carries the rest
+    }
+  }
 }
 
 /// Trajectories of a constraint-based multibody program, one per scenario; skipped where they are

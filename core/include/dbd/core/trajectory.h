@@ -26,7 +26,8 @@ struct TrajectoryRow {
 /// The columns' names, in the order of the file.
 std::vector<std::string> TrajectoryColumns();
 
-/// The row of a four-wheeled vehicle as it is now.
+/// The row of a vehicle as it is now: wheels of its foremost and of its rearmost axle; a wheel that
+/// has no spring shows a spring force of 0.
 TrajectoryRow ObserveRow(const Simulation& simulation, const VehicleModel& vehicle);
 
 /// Throws InputError that names the file and line.
