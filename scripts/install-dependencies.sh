@@ -1,11 +1,12 @@
 #!/bin/sh
-# Installs the Debian packages that dbd is built with, unless all are there already.
+# Installs the Debian packages that dbd is built with, unless all are there already. Further
+# packages may be named: libsimbody-dev adds the comparison with Simbody.
 set -eu
 
 packages="g++ cmake ninja-build pkg-config git ca-certificates
   libeigen3-dev libompl-dev libtbb-dev liboctomap-dev libspdlog-dev
   libgdal-dev libassimp-dev libcairo2-dev fonts-dejavu-core gnuplot-nox
-  libcli11-dev nlohmann-json3-dev libgtest-dev libgmock-dev libbenchmark-dev"
+  libcli11-dev nlohmann-json3-dev libgtest-dev libgmock-dev libbenchmark-dev $*"
 
 missing=""
 for package in $packages; do
