@@ -49,6 +49,10 @@ ordered_json RouteProperties(const Rollout& rollout, const std::string& name) {
                              {"length_m", Rounded(rollout.distance, 2)},
                              {"time_s", Rounded(rollout.time, 2)},
                              {"energy_j", Rounded(rollout.energy, 0)}};
+  properties["times_s"] = ordered_json::array();
+  for (const TraceSample& sample : rollout.trace) {
+    properties["times_s"].push_back(Rounded(sample.t, 3));
+  }
   for (const LimitMargin& margin : rollout.margins) {
     properties[margin.name + "_margin"] = Rounded(margin.margin, 4);
   }

@@ -61,7 +61,7 @@ int RunPlan(const PlanArguments& arguments) {
   const TypedPlace goal = ParsePlace("--goal", arguments.goal);
   OutputDirectory output(arguments.out);
   const auto vehicle = LoadVehicle(arguments.vehicle);
-  const auto terrain = LoadTerrain(arguments.terrain);
+  const auto terrain = LoadTerrain(arguments.terrain, {start, goal}, arguments.coordinates);
   const PlanRequest request = MakeRequest(arguments, start, goal, *terrain);
   const Plan plan = PlanWithProgress(terrain, vehicle, request, options, interrupt.token());
   if (plan.status == PlanStatus::kCancelled || plan.status == PlanStatus::kDeadline) {

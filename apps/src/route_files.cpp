@@ -1,7 +1,7 @@
 #include "route_files.h"
 
 #include "geojson.h"
-#include "gpx.h"
+#include "route_formats.h"
 #include "text.h"
 #include "trace_table.h"
 
@@ -16,6 +16,8 @@ void WriteRouteFiles(const Rollout& route, const std::string& name, const LocalF
   }
   WriteTextFile(output->Stage("route.geojson"), RouteGeoJson(route, name, frame));
   WriteGpx(output->Stage("route.gpx"), route, name, frame);
+  WriteKml(output->Stage("route.kml"), route, name, frame);
+  WriteGeoPackage(output->Stage("route.gpkg"), route, name, frame);
 }
 
 }  // namespace dbd

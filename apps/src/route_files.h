@@ -9,8 +9,9 @@
 
 namespace dbd {
 
-/// Stages trace.csv and the driven line: route.geojson and route.gpx, or route.csv in map
-/// coordinates where the terrain has no coordinate system. Throws InputError.
+/// Stages trace.csv and the driven line: route.geojson, route.gpx, route.kml and
+/// route.gpkg, or route.csv in map coordinates where the terrain has no coordinate system. Throws
+/// InputError.
 void WriteRouteFiles(const Rollout& route, const std::string& name, const LocalFrame& frame,
                      OutputDirectory* output);
 

@@ -33,6 +33,15 @@ void AddElevationFlags(CLI::App* command, TerrainArguments* terrain) {
       ->option_text("L");
 }
 
+void AddMemoryFlag(CLI::App* command, TerrainArguments* terrain) {
+  command
+      ->add_option("--memory-gb", terrain->memory_gb,
+                   "Of a raster that would need more than half of this, the part round start and "
+                   "goal is loaded; default 4")
+      ->check(CLI::Range(0.01, 1e4))
+      ->option_text("GB");
+}
+
 void AddSurfaceFlags(CLI::App* command, TerrainArguments* terrain) {
   command
       ->add_option("--dem-origin", terrain->dem_origin,
@@ -101,6 +110,7 @@ void AddObstacleFlags(CLI::App* command, TerrainArguments* terrain) {
 
 void AddTerrainFlags(CLI::App* command, TerrainArguments* terrain) {
   AddElevationFlags(command, terrain);
+  AddMemoryFlag(command, terrain);
   AddSurfaceFlags(command, terrain);
   AddMaterialFlags(command, terrain);
   AddObstacleFlags(command, terrain);

@@ -54,6 +54,7 @@ TerrainFiles MakeTerrainFiles(const TerrainArguments& arguments) {
   files.material_table = arguments.material_table;
   files.obstacles = arguments.obstacles;
   files.elevation_placement = ParsePlacement("--dem-origin", arguments.dem_origin);
+  files.memory_limit = 1e9 * arguments.memory_gb;
   files.surface_cell_size = arguments.surface_cell_m;
   files.rasterise_tin = arguments.rasterise;
   files.obstacles_placement = ParsePlacement("--obstacles-origin", arguments.obstacles_origin);
@@ -64,8 +65,13 @@ TerrainFiles MakeTerrainFiles(const TerrainArguments& arguments) {
   return files;
 }
 
-std::shared_ptr<const Terrain> LoadTerrain(const TerrainArguments& arguments) {
-  auto terrain = LoadTerrain(MakeTerrainFiles(arguments));
+std::shared_ptr<const Terrain> LoadTerrain(const TerrainArguments& arguments,
+                                           const std::vector<TypedPlace>& places,
+                                           Coordinates coordinates) {
+  TerrainFiles files = MakeTerrainFiles(arguments);
+  for (const TypedPlace& place : places) files.places.push_back(place.xy);
+  files.places_in_wgs84 = coordinates == Coordinates::kWgs84;
+  auto terrain = LoadTerrain(files);
   for (const std::string& note : terrain->notes()) PrintNote(note);
   return terrain;
 }

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "places.h"
+
 namespace dbd {
 
 /// The flags that say which terrain is meant, shared by all sub-commands that drive on one.
@@ -15,6 +17,7 @@ struct TerrainArguments {
   std::string crs;
   std::string unknown_ground = "forbid";
   double fill_distance_m = 50;
+  double memory_gb = 4;
   std::string dem_origin;  ///< "X,Y[,YAW_DEG]" or empty: in map coordinates
   double surface_cell_m = 0;
   bool rasterise = false;
@@ -33,7 +36,10 @@ struct TerrainArguments {
 /// Throws InputError when flags that belong together are given apart.
 TerrainFiles MakeTerrainFiles(const TerrainArguments& arguments);
 
-/// Checks the flags, reads the files and prints what is worth knowing of them. Throws InputError.
-std::shared_ptr<const Terrain> LoadTerrain(const TerrainArguments& arguments);
+/// Checks the flags, reads the files and prints what is worth knowing of them. Of a map that is too
+/// large for the memory the part round `places` is read. Throws InputError.
+std::shared_ptr<const Terrain> LoadTerrain(const TerrainArguments& arguments,
+                                           const std::vector<TypedPlace>& places = {},
+                                           Coordinates coordinates = Coordinates::kMap);
 
 }  // namespace dbd

@@ -4,10 +4,10 @@
 #include <ogrsf_frmts.h>
 
 #include <cmath>
-#include <filesystem>
 #include <memory>
 
 #include "gdal_session.h"
+#include "vector_file.h"
 
 namespace dbd {
 namespace {
@@ -16,24 +16,6 @@ using Line = std::vector<Eigen::Vector2d>;
 
 [[noreturn]] void Fail(const std::string& file, const std::string& what) {
   throw InputError(file + ": " + what);
-}
-
-GDALDatasetUniquePtr Open(const std::string& file) {
-  const GdalSession gdal;
-  std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored)) Fail(file, "no such file");
-  // Not LIBKML: the one of GDAL 3.6 crashes on a gx:Track without times.
-  const char* const drivers[] = {"GPX", "GeoJSON", "KML", "CSV", nullptr};
-  const char* const options[] = {"X_POSSIBLE_NAMES=lon,longitude,lng,x,easting",
-                                 "Y_POSSIBLE_NAMES=lat,latitude,y,northing",
-                                 "KEEP_GEOM_COLUMNS=YES", nullptr};
-  GDALDatasetUniquePtr dataset(GDALDataset::Open(
-      file.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, drivers, options));
-  if (!dataset) {
-    Fail(file, "cannot be read as a path (GPX, GeoJSON, KML or CSV): " +
-                   gdal.Reason("format not recognised"));
-  }
-  return dataset;
 }
 
 // To WGS84, x = longitude; null when the layer already is.
@@ -127,7 +109,7 @@ void CheckPlaces(const std::string& file, const GeoPath& path) {
 }  // namespace
 
 GeoPath ReadGeoPath(const std::string& file) {
-  const GDALDatasetUniquePtr dataset = Open(file);
+  const GDALDatasetUniquePtr dataset = OpenVector(file);
   GeoPath path;
   std::vector<Line> lines;
   if (EQUAL(dataset->GetDriverName(), "CSV")) {

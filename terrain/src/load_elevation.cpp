@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "map_window.h"
 #include "raster_file.h"
 #include "warp_raster.h"
 
@@ -94,19 +95,20 @@ std::size_t ElevationMemoryNeed(int columns, int rows) {
 }
 
 ElevationRaster LoadElevation(const RasterRequest& request) {
-  const RasterFile file(request);
+  RasterFile file(request);
   const std::string& name = file.name();
   ElevationRaster raster;
+  raster.note = CutToMemory(request, kBytesPerCell, &file);
   raster.grid = file.Grid();
   if (raster.grid.columns < 2 || raster.grid.rows < 2) {
     file.Fail("is " + std::to_string(raster.grid.columns) + " x " +
               std::to_string(raster.grid.rows) + " cells, at least 2 x 2 are needed");
   }
-  CheckMemoryNeed(name, raster.grid.columns, raster.grid.rows, kBytesPerCell);
   ReadHeights(file, &raster);
   if (file.crs() == nullptr) return raster;
   raster.source_wkt = raster.map_wkt = WktOf(*file.crs());
-  if (NeedsWarp(*file.crs(), raster.grid)) WarpToUtm(name, kBytesPerCell, &raster);
+  if (NeedsWarp(*file.crs(), raster.grid))
+    WarpToUtm(name, kBytesPerCell, request.memory_limit, &raster);
   return raster;
 }
 

@@ -16,6 +16,7 @@ struct ElevationRaster {
                                ///< where unknown
   double base_height = 0;      ///< [m]
   std::string map_wkt;         ///< empty when the file has no coordinate system
+  std::string note;            ///< what whoever drives here should know; empty: nothing
   std::string source_wkt;      ///< the file's own system; differs from `map_wkt` after a warp
 };
 

@@ -88,11 +88,13 @@ MaterialMap LoadMaterials(const TerrainFiles& files, const ElevationRaster& elev
   MaterialTable table =
       MaterialTable::Load(files.material_table.empty() ? kDefaultTable : files.material_table);
   if (files.materials.empty()) return MaterialMap(table.GetName(files.default_material));
+  RasterRequest request;
+  request.files = {files.materials};
+  request.band = files.materials_band;
   const std::vector<std::int32_t> classes =
       IsPolygonFile(files.materials) ? LoadPolygons(files.materials, files.material_field, table,
                                                     elevation.grid, elevation.map_wkt)
-                                     : LoadClasses({{files.materials}, files.materials_band, ""},
-                                                   elevation.grid, elevation.map_wkt);
+                                     : LoadClasses(request, elevation.grid, elevation.map_wkt);
   std::vector<std::uint8_t> indices = ToIndices(files, elevation.grid, classes, table, notes);
   HeightMap::Grid grid = elevation.grid;
   grid.first_center = frame.ToLocal(grid.first_center);

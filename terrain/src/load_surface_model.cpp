@@ -11,7 +11,9 @@ namespace dbd {
 
 ObstacleMap LoadSurfaceModel(const std::string& name, double threshold,
                              const ElevationRaster& ground, const LocalFrame& frame) {
-  const RasterFile file({{name}, 0, ""});
+  RasterRequest request;
+  request.files = {name};
+  const RasterFile file(request);
   HeightMap::Grid grid = ground.grid;
   const GDALDatasetUniquePtr surface =
       ResampleTo(file, grid, ground.map_wkt, {"bilinear", "Float64", "nan"});

@@ -28,7 +28,14 @@ HeightMap MakeHeights(const ElevationRaster& elevation, const LocalFrame& frame)
 }
 
 RasterRequest ElevationRequest(const TerrainFiles& files) {
-  RasterRequest request{{files.elevation}, files.elevation_band, files.crs};
+  RasterRequest request;
+  request.files = {files.elevation};
+  request.band = files.elevation_band;
+  request.crs = files.crs;
+  // The other half is for materials, obstacles and the planner's layer.
+  request.memory_limit = 0.5 * files.memory_limit;
+  request.places = files.places;
+  request.places_in_wgs84 = files.places_in_wgs84;
   request.files.insert(request.files.end(), files.more_elevation.begin(),
                        files.more_elevation.end());
   return request;
@@ -47,7 +54,9 @@ TinGround ReadGround(const TerrainFiles& files, std::vector<std::string>* notes)
   }
   if (IsTin(extension)) return LoadTin(files, notes);
   if (IsOctreeExtension(extension)) return {ExtractGround(files, notes), nullptr};
-  return {LoadElevation(ElevationRequest(files)), nullptr};
+  TinGround ground{LoadElevation(ElevationRequest(files)), nullptr};
+  if (!ground.raster.note.empty()) notes->push_back(ground.raster.note);
+  return ground;
 }
 
 TinGround LoadGround(const TerrainFiles& files, std::vector<std::string>* notes) {

@@ -2,10 +2,14 @@
 
 #include <dbd/core/error.h>
 
+#include <gdal_utils.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <memory>
+#include <utility>
 
 #include "height_scale.h"
 #include "mosaic.h"
@@ -121,13 +125,31 @@ void RasterFile::ReadHeightScale(const RasterRequest& request) {
   }
 }
 
-void CheckMemoryNeed(const std::string& name, int columns, int rows, std::size_t bytes_per_cell) {
+void RasterFile::CutTo(int column, int row, int columns, int rows) {
+  const GdalSession gdal;
+  std::vector<std::string> words = {"-of", "VRT", "-srcwin"};
+  for (const int number : {column, row, columns, rows}) words.push_back(std::to_string(number));
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  const std::unique_ptr<GDALTranslateOptions, decltype(&GDALTranslateOptionsFree)> options(
+      GDALTranslateOptionsNew(arguments.data(), nullptr), &GDALTranslateOptionsFree);
+  GDALDatasetUniquePtr window(GDALDataset::FromHandle(
+      GDALTranslate("", GDALDataset::ToHandle(dataset_.get()), options.get(), nullptr)));
+  if (!window) Fail("cannot be cut to a window: " + gdal.Reason("no reason given"));
+  whole_ = std::move(dataset_);
+  dataset_ = std::move(window);
+  ReadTransform();
+}
+
+void CheckMemoryNeed(const std::string& name, int columns, int rows, std::size_t bytes_per_cell,
+                     double limit) {
   const double bytes = static_cast<double>(columns) * rows * static_cast<double>(bytes_per_cell);
-  if (bytes <= kMemoryLimitBytes) return;
+  if (bytes <= limit) return;
   char text[160];
   std::snprintf(text, sizeof text,
-                ": %d x %d cells need %.1f GB of memory, at most %.1f GB are allowed", columns,
-                rows, bytes / 1e9, kMemoryLimitBytes / 1e9);
+                ": %d x %d cells need %.2f GB of memory, at most %.2f GB are allowed", columns,
+                rows, bytes / 1e9, limit / 1e9);
   throw InputError(name + text);
 }
 

@@ -11,9 +11,6 @@
 
 namespace dbd {
 
-/// A raster larger than this in memory is refused.
-inline constexpr double kMemoryLimitBytes = 4.0 * 1024 * 1024 * 1024;
-
 /// Opens any raster that GDAL reads. Throws InputError that names the file and what is wrong.
 GDALDatasetUniquePtr OpenRaster(const std::string& name);
 
@@ -22,6 +19,9 @@ struct RasterRequest {
   std::vector<std::string> files;  ///< several of one coordinate system are joined; later ones win
   int band = 0;                    ///< counted from 1; 0: the only one
   std::string crs;                 ///< instead of the file's own; empty: the file's own
+  double memory_limit = 4.0 * 1024 * 1024 * 1024;  ///< for the heights [bytes]
+  std::vector<Eigen::Vector2d> places;  ///< to cut a larger raster round; see TerrainFiles
+  bool places_in_wgs84 = false;
 };
 
 /// A raster that was opened and can be used: one band of real numbers with a place on the map,
@@ -49,6 +49,9 @@ class RasterFile {
   /// Coordinate system without its vertical part; null when the file has none.
   const OGRSpatialReference* crs() const { return has_crs_ ? &crs_ : nullptr; }
 
+  /// From now on the raster is this window of itself, counted in cells of the file.
+  void CutTo(int column, int row, int columns, int rows);
+
   /// Throws InputError with the file's name.
   [[noreturn]] void Fail(const std::string& what) const;
 
@@ -59,6 +62,7 @@ class RasterFile {
   void ReadHeightScale(const RasterRequest& request);
 
   std::string name_;
+  GDALDatasetUniquePtr whole_;  // what dataset_ is a window of; null when it is whole
   GDALDatasetUniquePtr dataset_;
   double transform_[6] = {};
   OGRSpatialReference crs_;
@@ -68,8 +72,9 @@ class RasterFile {
   double height_offset_ = 0;
 };
 
-/// Throws InputError with `name` when `cells` at `bytes_per_cell` exceed the limit.
-void CheckMemoryNeed(const std::string& name, int columns, int rows, std::size_t bytes_per_cell);
+/// Throws InputError with `name` when the cells at `bytes_per_cell` exceed `limit` bytes.
+void CheckMemoryNeed(const std::string& name, int columns, int rows, std::size_t bytes_per_cell,
+                     double limit);
 
 /// Height of the top edge to the south edge turned round: grid of a north-up or south-up
 /// geotransform (`transform`: six numbers as GDAL gives them), row 0 south.

@@ -131,7 +131,8 @@ bool NeedsWarp(const OGRSpatialReference& crs, const HeightMap::Grid& grid) {
   return !IsTrueToScale(crs, CenterOf(grid));
 }
 
-void WarpToUtm(const std::string& name, std::size_t bytes_per_cell, ElevationRaster* raster) {
+void WarpToUtm(const std::string& name, std::size_t bytes_per_cell, double memory_limit,
+               ElevationRaster* raster) {
   const GdalSession gdal;
   OGRSpatialReference source_crs;
   source_crs.importFromWkt(raster->source_wkt.c_str());
@@ -148,7 +149,8 @@ void WarpToUtm(const std::string& name, std::size_t bytes_per_cell, ElevationRas
   if (!warped || warped->GetGeoTransform(transform) != CE_None) {
     throw InputError(name + ": cannot be warped to UTM: " + gdal.Reason("no reason given"));
   }
-  CheckMemoryNeed(name, warped->GetRasterXSize(), warped->GetRasterYSize(), bytes_per_cell);
+  CheckMemoryNeed(name, warped->GetRasterXSize(), warped->GetRasterYSize(), bytes_per_cell,
+                  2 * memory_limit);
   raster->grid = GridOfTransform(transform, warped->GetRasterXSize(), warped->GetRasterYSize());
   raster->map_wkt = WktOf(Epsg(epsg));
   ReadFlipped(name, warped.get(), raster);

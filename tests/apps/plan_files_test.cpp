@@ -53,9 +53,10 @@ std::vector<std::string> NamesIn(const std::string& directory) {
 TEST(PlanFiles, ARouteHasAllFiles) {
   const TemporaryDirectory scratch;
   Write(MakePlan(kUtm33), scratch / "out");
-  EXPECT_THAT(NamesIn(scratch / "out"),
-              testing::UnorderedElementsAre("plan.json", "map.png", "candidates.geojson",
-                                            "trace.csv", "route.geojson", "route.gpx"));
+  EXPECT_THAT(
+      NamesIn(scratch / "out"),
+      testing::UnorderedElementsAre("plan.json", "map.png", "candidates.geojson", "trace.csv",
+                                    "route.geojson", "route.gpx", "route.kml", "route.gpkg"));
 }
 
 TEST(PlanFiles, ANoGoHasNoRouteFiles) {

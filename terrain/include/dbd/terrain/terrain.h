@@ -33,10 +33,11 @@ struct TerrainFiles {
   MapPlacement elevation_placement;  ///< of a mesh, of points or of an OctoMap
   bool rasterise_tin = false;        ///< drive on a raster of it instead of its triangles
   double surface_cell_size = 0;      ///< of rasters made from TIN or OctoMap [m]; 0: by its density
-  /// A raster that would need more memory [bytes] is cut to a window round `places`, which are in
-  /// the elevation's own coordinates; without places it is refused.
+  /// A raster that would need more than half of this memory [bytes] is cut to a window round
+  /// `places`, which are in the elevation's own coordinates; without places it is refused.
   double memory_limit = 4.0 * 1024 * 1024 * 1024;
   std::vector<Eigen::Vector2d> places;
+  bool places_in_wgs84 = false;  ///< they are longitude and latitude [deg] instead
   std::string materials;             ///< class raster of integers, or polygons that OGR reads
   int materials_band = 0;            ///< counted from 1; 0: the only one
   std::string material_field;        ///< polygons' attribute: class number or material name; empty:
