@@ -1,5 +1,6 @@
 #include <dbd/planner/batch_evaluation.h>
 #include <dbd/planner/drive.h>
+#include <dbd/planner/thread_count.h>
 
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
@@ -44,7 +45,7 @@ std::vector<Rollout> EvaluateRollouts(const Terrain& terrain, const VehicleModel
     const std::lock_guard lock(progress_mutex);
     progress("drive", ++done, total);
   };
-  tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+  tbb::task_arena arena(ThreadCount(options));
   arena.execute([&] {
     tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) {
       rollouts[i] = DriveCandidate(terrain, vehicle, candidates[i], options, stop);

@@ -3,6 +3,7 @@
 #include <dbd/core/error.h>
 #include <dbd/planner/candidate_curve.h>
 #include <dbd/planner/ompl_planners.h>
+#include <dbd/planner/thread_count.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +11,6 @@
 #include <string>
 #include <utility>
 
-#include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
 #include "candidate_search.h"
@@ -56,13 +56,6 @@ Candidate ToCandidate(const RouteDraft& draft, const PlanRequest& request) {
   points.front() = request.start;
   points.back() = request.goal;
   return {draft.origin, Path(points), draft.cost};
-}
-
-// TBB prints a warning when an arena asks for more threads than the process may have.
-int ThreadCount(const PlanOptions& options) {
-  const auto most = static_cast<int>(
-      tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-  return options.threads > 0 ? std::min(options.threads, most) : most;
 }
 
 }  // namespace
