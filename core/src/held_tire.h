@@ -13,14 +13,18 @@ namespace dbd {
 /// What the tires do to the bodies, kept between tire updates.
 using HeldWrenches = std::vector<Wrench<double>>;
 
+/// Adds the tires' forces to the others in work.wrench, and keeps them.
 inline void UpdateHeldTires(const EngineModel& engine, const Ground& ground,
                             const WheelControls<double>& controls, EngineState<double>& state,
                             Workspace<double>& work, HeldWrenches& held) {
   const VehicleModel& model = *engine.vehicle;
   SampleContacts(model, engine.patterns, ground, controls, work, state);
-  for (Wrench<double>& wrench : work.wrench) wrench.Clear();
-  AddTireForces(model, controls, engine.step * engine.tire_every, state, work);
   held = work.wrench;
+  AddTireForces(model, controls, engine.step * engine.tire_every, state, work);
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    held[i].f_W = work.wrench[i].f_W - held[i].f_W;
+    held[i].t_W = work.wrench[i].t_W - held[i].t_W;
+  }
 }
 
 /// Like EvaluateForces, with held tire forces.
@@ -29,9 +33,12 @@ inline void EvaluateForcesHeld(const EngineModel& engine, const Ground& ground,
                                Workspace<double>& work, HeldWrenches& held) {
   LocateBodies(state, work);
   const bool sample_ground = state.step % engine.tire_every == 0;
-  if (sample_ground) UpdateHeldTires(engine, ground, controls, state, work, held);
   SetElementForces(engine, controls, state, work);
   AddContactsAndLoads(*engine.vehicle, ground, engine.step, sample_ground, state, work);
+  if (sample_ground) {
+    UpdateHeldTires(engine, ground, controls, state, work, held);
+    return;
+  }
   for (std::size_t i = 0; i < held.size(); ++i) {
     work.wrench[i].f_W += held[i].f_W;
     work.wrench[i].t_W += held[i].t_W;

@@ -18,8 +18,7 @@ namespace dbd {
 // - Spin is advanced semi-implicitly, and the same updated force acts on the wheel's body.
 // - The deflection follows the hub along the contact normal between samples (SPLIT).
 
-// Large enough that the springs under a braked, parked vehicle and its bounce and pitch near 2 Hz
-// do not drive each other, as they do below 0.03 s, nose down on 8 to 15 deg.
+// About 0.3 of critical for a vehicle that rocks to and fro on its shear springs, near 2 Hz.
 inline constexpr double kBristleTime = 0.04;     // [s]
 inline constexpr double kBristleSpeed = 1.0;     // [m/s] where the bristle damper has halved
 inline constexpr double kResistanceSpeed = 0.1;  // [m/s] over which resistance changes its sign

@@ -60,14 +60,17 @@ void AddTireForces(const VehicleModel& model, const WheelControls<Real>& control
   using S = ScalarOf<Real>;
   std::array<TireLaw<Real>, kMaxWheels> laws;
   std::array<HubPose<Real>, kMaxWheels> hubs;
+  std::array<CarrierSpin<Real>, kMaxWheels> carriers;
   SpinArray<Real> spin_change, brake_torque;
   for (std::size_t i = 0; i < model.wheels.size(); ++i) {
     const WheelModel& wheel = model.wheels[i];
     hubs[i] = LocateHub(wheel, work.R_WB[wheel.body], controls.steer_sine[i]);
     laws[i] = EvaluateTire(wheel, state.bodies[wheel.body], hubs[i].lever, hubs[i].y_W, step,
                            state.wheels[i]);
+    carriers[i] = PredictCarrierSpin(model, wheel.body, state.bodies[wheel.body],
+                                     work.wrench[wheel.body], hubs[i].y_W, step);
   }
-  AdvanceSpins(model, controls, step, laws, state, spin_change, brake_torque);
+  AdvanceSpins(model, controls, step, laws, carriers, state, spin_change, brake_torque);
   for (std::size_t i = 0; i < model.wheels.size(); ++i) {
     const WheelModel& wheel = model.wheels[i];
     const TireLaw<Real>& law = laws[i];

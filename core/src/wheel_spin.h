@@ -8,7 +8,9 @@ namespace dbd {
 //   (J + dt r T') (w1 - w0) = dt (drive - r T0 - carcass).
 // Differentials and brakes are friction couplings: each moves angular momentum across until the
 // speeds agree or its largest torque is reached. An open differential moves none, a locked one as
-// much as it takes, a limited-slip one up to its bias torque.
+// much as it takes, a limited-slip one up to its bias torque. A brake holds the wheel to the body
+// that carries it, not to the world: braked to rest against the world, the wheels of a rocking
+// vehicle would do work on it.
 
 template <class Real>
 using SpinArray = std::array<Real, kMaxWheels>;
@@ -72,11 +74,70 @@ void ApplyDifferentials(const VehicleModel& model, const SpinArray<Real>& inerti
   }
 }
 
-/// New spins from the tire laws and controls; leaves the brake's mean torque in `brake_torque`.
+/// The body that carries a wheel, turning about the spin axis.
+template <class Real>
+struct CarrierSpin {
+  Real rate;     // after this step, without the brake [rad/s]
+  Real inertia;  // shared among the wheels that it carries
+};
+
+/// Wheels on one body share its inertia.
+inline double CarrierInertia(const VehicleModel& model, int body) {
+  int wheels = 0;
+  for (const WheelModel& wheel : model.wheels) wheels += wheel.body == body;
+  return model.bodies[body].inertia.y() / wheels;
+}
+
+template <class Real>
+CarrierSpin<Real> PredictCarrierSpin(const VehicleModel& model, int carrier,
+                                     const BodyState<Real>& body, const Wrench<Real>& wrench,
+                                     const Vec3<Real>& y_W, double step) {
+  using S = ScalarOf<Real>;
+  const Real gain{S(step / model.bodies[carrier].inertia.y())};
+  return {Dot(body.w_WB, y_W) + gain * Dot(wrench.t_W, y_W),
+          Real(S(CarrierInertia(model, carrier)))};
+}
+
+/// Friction between wheel and carrier takes the wheel towards `rate`, as far as the brake can;
+/// returns the torque on the wheel.
+template <class Real>
+Real BrakeTowards(const Real& rate, const Real& brake_torque, const Real& inertia, const Real& dt,
+                  Real& spin) {
+  const Real most = brake_torque * dt;
+  const Real impulse = Clamp((rate - spin) * inertia, Real(-1) * most, most);
+  spin = spin + impulse / inertia;
+  return impulse / dt;
+}
+
+/// Wheels and carrier end with one rate, that keeps their angular momentum, where the brakes can
+/// hold it. On a solid axle both wheels and the axle do.
+template <class Real>
+void ApplyBrakes(const VehicleModel& model, const AxleModel& axle,
+                 const WheelControls<Real>& controls,
+                 const std::array<CarrierSpin<Real>, kMaxWheels>& carriers, const Real& dt,
+                 const SpinArray<Real>& inertia, SpinArray<Real>& spin,
+                 SpinArray<Real>& brake_torque) {
+  const int l = axle.left, r = axle.right;
+  const auto momentum = [&](int i) {
+    return inertia[i] * spin[i] + carriers[i].inertia * carriers[i].rate;
+  };
+  const auto whole = [&](int i) { return inertia[i] + carriers[i].inertia; };
+  Real left_rate = momentum(l) / whole(l), right_rate = momentum(r) / whole(r);
+  if (model.wheels[l].body == model.wheels[r].body) {
+    left_rate = right_rate = (momentum(l) + momentum(r)) / (whole(l) + whole(r));
+  }
+  brake_torque[l] = BrakeTowards(left_rate, controls.brake_torque[l], inertia[l], dt, spin[l]);
+  brake_torque[r] = BrakeTowards(right_rate, controls.brake_torque[r], inertia[r], dt, spin[r]);
+}
+
+/// New spins from the tire laws and controls; leaves the brakes' torques on the wheels in
+/// `brake_torque`.
 template <class Real>
 void AdvanceSpins(const VehicleModel& model, const WheelControls<Real>& controls, double step,
-                  const std::array<TireLaw<Real>, kMaxWheels>& laws, EngineState<Real>& state,
-                  SpinArray<Real>& spin_change, SpinArray<Real>& brake_torque) {
+                  const std::array<TireLaw<Real>, kMaxWheels>& laws,
+                  const std::array<CarrierSpin<Real>, kMaxWheels>& carriers,
+                  EngineState<Real>& state, SpinArray<Real>& spin_change,
+                  SpinArray<Real>& brake_torque) {
   using S = ScalarOf<Real>;
   const Real dt{S(step)};
   SpinArray<Real> inertia{}, spin{};
@@ -89,12 +150,12 @@ void AdvanceSpins(const VehicleModel& model, const WheelControls<Real>& controls
     spin[i] = state.wheels[i].spin + dt * torque / inertia[i];
   }
   ApplyDifferentials(model, inertia, step, spin);
+  for (const AxleModel& axle : model.axles) {
+    ApplyBrakes(model, axle, controls, carriers, dt, inertia, spin, brake_torque);
+  }
   for (std::size_t i = 0; i < model.wheels.size(); ++i) {
-    const Real most = controls.brake_torque[i] * dt / inertia[i];
-    const Real slowed = Real(-1) * Clamp(spin[i], Real(-1) * most, most);
-    brake_torque[i] = slowed * inertia[i] / dt;
-    spin_change[i] = spin[i] + slowed - state.wheels[i].spin;
-    state.wheels[i].spin = spin[i] + slowed;
+    spin_change[i] = spin[i] - state.wheels[i].spin;
+    state.wheels[i].spin = spin[i];
   }
 }
 

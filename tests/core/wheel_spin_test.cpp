@@ -9,6 +9,8 @@ namespace dbd {
 namespace {
 
 constexpr double kStep = 2e-3;
+constexpr double kHeldFast = 1e12;  // inertia of a carrier that nothing turns [kg m^2]
+constexpr double kAtRest = 1e-11;   // what the brake's impulse leaves of it [rad/s]
 
 /// The TM27's wheels in the air: no traction, only drive, brakes and differentials.
 class SpinsInTheAir : public ::testing::Test {
@@ -16,11 +18,12 @@ class SpinsInTheAir : public ::testing::Test {
   SpinsInTheAir() : state(StateOfBodies(Tm27())) {
     state.wheels.assign(4, WheelState<double>{});
     laws.fill(TireLaw<double>{});
+    carriers.fill({0, kHeldFast});
   }
 
   void Advance(int steps = 1) {
     for (int i = 0; i < steps; ++i) {
-      AdvanceSpins(vehicle, controls, kStep, laws, state, change, brake_torque);
+      AdvanceSpins(vehicle, controls, kStep, laws, carriers, state, change, brake_torque);
     }
   }
   double Momentum() const {
@@ -33,6 +36,7 @@ class SpinsInTheAir : public ::testing::Test {
   EngineState<double> state;
   WheelControls<double> controls{};
   std::array<TireLaw<double>, kMaxWheels> laws{};
+  std::array<CarrierSpin<double>, kMaxWheels> carriers{};
   SpinArray<double> change{}, brake_torque{};
 };
 
@@ -50,16 +54,16 @@ TEST_F(SpinsInTheAir, BrakeHoldsExactlyAtRestAndNeverReverses) {
   Advance(2);
   EXPECT_GT(state.wheels[0].spin, 0);
   Advance();
-  EXPECT_EQ(state.wheels[0].spin, 0);
+  EXPECT_NEAR(state.wheels[0].spin, 0, kAtRest);
   Advance(5);
-  EXPECT_EQ(state.wheels[0].spin, 0);
+  EXPECT_NEAR(state.wheels[0].spin, 0, kAtRest);
   controls.drive_torque[0] = 500;  // less than the brake
   Advance(5);
-  EXPECT_EQ(state.wheels[0].spin, 0);
-  EXPECT_NEAR(brake_torque[0], -500, 1e-9);
+  EXPECT_NEAR(state.wheels[0].spin, 0, kAtRest);
+  EXPECT_NEAR(brake_torque[0], -500, 1e-6);
   controls.drive_torque[0] = 1000;
   Advance();
-  EXPECT_NEAR(state.wheels[0].spin, (1000 - 900) * kStep / 1.6, 1e-12);
+  EXPECT_NEAR(state.wheels[0].spin, (1000 - 900) * kStep / 1.6, kAtRest);
 }
 
 TEST_F(SpinsInTheAir, BrakeOpposesBothDirections) {
@@ -67,7 +71,31 @@ TEST_F(SpinsInTheAir, BrakeOpposesBothDirections) {
   state.wheels[0].spin = 10, state.wheels[1].spin = -10;
   Advance(100);
   EXPECT_NEAR(state.wheels[0].spin, -state.wheels[1].spin, 1e-12);
-  EXPECT_EQ(state.wheels[0].spin, 0);  // 100 N m * 0.2 s > 1.6 * 10
+  EXPECT_NEAR(state.wheels[0].spin, 0, kAtRest);  // 100 N m * 0.2 s > 1.6 * 10
+}
+
+/// A carrier that may turn takes up what the brake takes off the wheel: both end with one rate.
+TEST_F(SpinsInTheAir, BrakeHoldsTheWheelToItsCarrierNotToTheWorld) {
+  controls.brake_torque[0] = 5000;
+  carriers[0] = {-2, 1};
+  state.wheels[0].spin = 3;
+  Advance();
+  const double together = (1.6 * 3 - 1 * 2) / (1.6 + 1);
+  EXPECT_NEAR(state.wheels[0].spin, together, 1e-12);
+  // The reaction brings the carrier to the same rate: -torque dt / I.
+  EXPECT_NEAR(-2 - brake_torque[0] * kStep / 1, together, 1e-12);
+}
+
+TEST_F(SpinsInTheAir, BothWheelsOfASolidAxleEndWithItsRate) {
+  vehicle.wheels[1].body = vehicle.wheels[0].body;
+  controls.brake_torque[0] = controls.brake_torque[1] = 5000;
+  carriers[0] = carriers[1] = {0.5, 0.5 * 6};  // half of the axle's 6 kg m2 each
+  state.wheels[0].spin = 4, state.wheels[1].spin = -1;
+  Advance();
+  const double together = (1.6 * (4 - 1) + 6 * 0.5) / (1.6 + 1.6 + 6);
+  EXPECT_NEAR(state.wheels[0].spin, together, 1e-12);
+  EXPECT_NEAR(state.wheels[1].spin, together, 1e-12);
+  EXPECT_NEAR(0.5 - (brake_torque[0] + brake_torque[1]) * kStep / 6, together, 1e-12);
 }
 
 TEST_F(SpinsInTheAir, OpenDifferentialLeavesTheSpeedsAlone) {
