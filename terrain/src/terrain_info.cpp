@@ -16,7 +16,7 @@ bool HasSlope(const HeightMap& heights, int column, int row) {
          heights.IsCellKnown(column, row + 1);
 }
 
-// Sorted angles [rad].
+// Angles [rad], in no order.
 std::vector<float> Slopes(const HeightMap& heights) {
   const HeightMap::Grid& grid = heights.grid();
   std::vector<float> slopes;
@@ -31,13 +31,14 @@ std::vector<float> Slopes(const HeightMap& heights) {
           std::hypot(east / (2 * grid.cell_size.x()), north / (2 * grid.cell_size.y())))));
     }
   }
-  std::sort(slopes.begin(), slopes.end());
   return slopes;
 }
 
-double Quantile(const std::vector<float>& sorted, double share) {
-  if (sorted.empty()) return 0;
-  return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+double Quantile(double share, std::vector<float>* values) {
+  if (values->empty()) return 0;
+  const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values->size() - 1));
+  std::nth_element(values->begin(), values->begin() + rank, values->end());
+  return (*values)[static_cast<std::size_t>(rank)];
 }
 
 void DescribeHeights(const Terrain& terrain, TerrainInfo* info) {
@@ -52,11 +53,11 @@ void DescribeHeights(const Terrain& terrain, TerrainInfo* info) {
   info->lowest = heights.lowest();
   info->highest = heights.highest();
   info->unknown_share = heights.unknown_share();
-  const std::vector<float> slopes = Slopes(heights);
-  info->median_slope = Quantile(slopes, 0.5);
-  info->slope_90_percent = Quantile(slopes, 0.9);
-  info->slope_99_percent = Quantile(slopes, 0.99);
-  info->steepest_slope = Quantile(slopes, 1.0);
+  std::vector<float> slopes = Slopes(heights);
+  info->median_slope = Quantile(0.5, &slopes);
+  info->slope_90_percent = Quantile(0.9, &slopes);
+  info->slope_99_percent = Quantile(0.99, &slopes);
+  info->steepest_slope = Quantile(1.0, &slopes);
 }
 
 void DescribeMaterials(const MaterialMap& map, TerrainInfo* info) {
