@@ -180,11 +180,7 @@ TEST_P(Grade, SteepestStartAgreesWithStatics) {
 }
 
 INSTANTIATE_TEST_SUITE_P(BuiltIn, Grade, ::testing::ValuesIn(BuiltInVehicleNames()),
-                         [](const auto& test) {
-                           std::string name = test.param;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
+                         [](const auto& test) { return Underscored(test.param); });
 
 }  // namespace
 }  // namespace dbd

@@ -114,36 +114,6 @@ TEST(Simulation, HoldsACircle) {
   EXPECT_GT(roll / count, Degrees(0.2));  // leans out of a left turn: left side up
 }
 
-/// Drives on a plane, stops, and stands there for 30 s.
-double CreepAfterStopping(const std::string& name, double slope_x_deg, double slope_y_deg) {
-  const auto vehicle = LoadVehicle(name);
-  const auto ground =
-      MakePlaneGround(std::tan(Degrees(slope_x_deg)), std::tan(Degrees(slope_y_deg)));
-  Simulation simulation(*vehicle, *ground);
-  simulation.Place({0, 0}, 0);
-  Driver driver(*vehicle, Path(), {.target_speed = 3});
-  driver.SetStart({0, 0}, 0);
-  Follow(driver, simulation, 5, kNothing);
-  EXPECT_GT(simulation.Chassis().forward_speed, 1);
-  Stand(simulation, 20);  // until the lightly damped body has come to rest
-  const Eigen::Vector3d before = simulation.Chassis().p_WB;
-  Stand(simulation, 30);
-  EXPECT_LT(simulation.Chassis().v_WB.norm(), 1e-4);
-  return (simulation.Chassis().p_WB - before).norm();
-}
-
-/// Uphill, downhill and across: no vehicle creeps a tenth of a millimetre in half a minute.
-class StopsAndStays : public ::testing::TestWithParam<std::string> {};
-TEST_P(StopsAndStays, Uphill) { EXPECT_LT(CreepAfterStopping(GetParam(), 15, 0), 1e-4); }
-TEST_P(StopsAndStays, Downhill) { EXPECT_LT(CreepAfterStopping(GetParam(), -15, 0), 1e-4); }
-TEST_P(StopsAndStays, OnASideSlope) { EXPECT_LT(CreepAfterStopping(GetParam(), 0, 15), 1e-4); }
-INSTANTIATE_TEST_SUITE_P(Vehicles, StopsAndStays, ::testing::ValuesIn(BuiltInVehicleNames()),
-                         [](const auto& test) {
-                           std::string name = test.param;
-                           std::replace(name.begin(), name.end(), '-', '_');
-                           return name;
-                         });
-
 TEST(Simulation, WheelLoadsOnASlopeCarryTheNormalForce) {
   const auto ground = MakePlaneGround(0, std::tan(Degrees(15)));
   Simulation simulation = Placed(*ground, 0, 3);
