@@ -65,10 +65,14 @@ class SineGround final : public ShapedGround<SineGround> {
     if (x <= begin_ || x >= end_) return 0;
     return amplitude_ * std::sin(wave_number_ * (x - begin_));
   }
+  /// A crest within reach, or else the higher end of the stretch.
   double HighestAt(double x, double, double reach) const {
-    // No steeper than amplitude * wave number anywhere.
-    const double rise = amplitude_ * wave_number_ * reach;
-    return std::min(HeightAt(x, 0) + rise, amplitude_);
+    const double wavelength = 2 * std::numbers::pi / wave_number_;
+    const double first_crest = begin_ + 0.25 * wavelength;
+    const double next = std::ceil((x - reach - first_crest) / wavelength);
+    const double crest = first_crest + std::max(0.0, next) * wavelength;
+    if (crest <= x + reach && crest < end_) return amplitude_;
+    return std::max(HeightAt(x - reach, 0), HeightAt(x + reach, 0));
   }
 
  private:
