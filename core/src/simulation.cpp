@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "engine.h"
+#include "flatten.h"
 #include "guide_force.h"
 #include "held_tire.h"
 #include "initial_state.h"
@@ -37,8 +38,8 @@ struct Simulation::Impl {
 
   double Time() const { return static_cast<double>(state.step) * engine.step; }
 
-  /// Everything the step calls is inlined: a twentieth fewer instructions.
-  [[gnu::flatten]] void Step() {
+  /// Flattened: a twentieth fewer instructions.
+  DBD_FLATTEN void Step() {
     const bool plain = options.tire == TireKind::kFull && options.tire_scheme == TireScheme::kSplit;
     if (plain && !options.guide) {
       StepEngine(engine, ground, controls, state, work);
