@@ -80,6 +80,12 @@ void DeclarePlan(CLI::App* app, Commands* commands) {
   command->add_option("--threads", plan->threads, "0 = all processors, the default")
       ->check(CLI::Range(0, 4096))
       ->option_text("N");
+  command
+      ->add_option("--engine", plan->engine,
+                   "lanes: many vehicles at once in single precision, the default; reference: one "
+                   "at a time in double precision")
+      ->check(CLI::IsMember({"lanes", "reference"}))
+      ->option_text("NAME");
   AddOutFlag(command, &plan->out);
   AddJsonFlag(command, &plan->json, "plan.json instead of the summary");
   command->callback([commands, plan] { commands->run = [plan] { return RunPlan(*plan); }; });

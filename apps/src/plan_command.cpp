@@ -23,6 +23,8 @@ PlanOptions MakeOptions(const PlanArguments& arguments) {
   options.seed = arguments.seed;
   options.max_speed = KilometersPerHour(arguments.max_speed_kmh);
   options.threads = arguments.threads;
+  options.engine =
+      arguments.engine == "reference" ? RolloutEngine::kReference : RolloutEngine::kLanes;
   options.Validate();
   return options;
 }

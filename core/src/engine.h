@@ -1,41 +1,14 @@
 #pragma once
 
 #include <dbd/core/ground.h>
-#include <dbd/core/units.h>
-
-#include <cmath>
 
 #include "body_motion.h"
 #include "elements.h"
+#include "engine_model.h"
 #include "point_contact.h"
 #include "tire_group.h"
 
 namespace dbd {
-
-/// What is constant for one vehicle and one choice of steps.
-struct EngineModel {
-  explicit EngineModel(const VehicleModel& vehicle_model)
-      : vehicle(&vehicle_model),
-        attachments(vehicle_model),
-        step(vehicle_model.steps.construction) {
-    for (const WheelModel& wheel : vehicle->wheels) {
-      patterns.push_back(MakeTirePattern(wheel.tire));
-    }
-    const auto every = [this](double group) { return static_cast<int>(std::lround(group / step)); };
-    spring_every = every(vehicle->steps.spring);
-    tire_every = every(vehicle->steps.tire);
-    control_every = every(vehicle->steps.control);
-  }
-
-  const VehicleModel* vehicle;
-  AttachmentPoints attachments;
-  std::vector<TirePattern> patterns;
-  double gravity = kGravity;
-  double step;
-  int spring_every = 1;  // construction steps per update of the group
-  int tire_every = 1;
-  int control_every = 1;
-};
 
 template <class Real>
 void LocateBodies(const EngineState<Real>& state, Workspace<Real>& work) {
@@ -59,8 +32,8 @@ void SetElementForces(const EngineModel& engine, const WheelControls<Real>& cont
 }
 
 /// All forces on all bodies at the present time, into work.wrench; spins and slips advance.
-template <class Real>
-void EvaluateForces(const EngineModel& engine, const Ground& ground,
+template <class Real, class Surface>
+void EvaluateForces(const EngineModel& engine, const Surface& ground,
                     const WheelControls<Real>& controls, EngineState<Real>& state,
                     Workspace<Real>& work) {
   const VehicleModel& model = *engine.vehicle;
@@ -69,12 +42,12 @@ void EvaluateForces(const EngineModel& engine, const Ground& ground,
   if (sample_ground) SampleContacts(model, engine.patterns, ground, controls, work, state);
   SetElementForces(engine, controls, state, work);
   AddContactsAndLoads(model, ground, engine.step, sample_ground, state, work);
-  AddTireForces(model, controls, engine.step, state, work);
+  AddTireForces(engine, controls, engine.step, state, work);
 }
 
 /// One construction step of one vehicle, or of one pack of vehicles.
-template <class Real>
-void StepEngine(const EngineModel& engine, const Ground& ground,
+template <class Real, class Surface>
+void StepEngine(const EngineModel& engine, const Surface& ground,
                 const WheelControls<Real>& controls, EngineState<Real>& state,
                 Workspace<Real>& work) {
   EvaluateForces(engine, ground, controls, state, work);

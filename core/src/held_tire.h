@@ -20,7 +20,7 @@ inline void UpdateHeldTires(const EngineModel& engine, const Ground& ground,
   const VehicleModel& model = *engine.vehicle;
   SampleContacts(model, engine.patterns, ground, controls, work, state);
   held = work.wrench;
-  AddTireForces(model, controls, engine.step * engine.tire_every, state, work);
+  AddTireForces(engine, controls, engine.step * engine.tire_every, state, work);
   for (std::size_t i = 0; i < held.size(); ++i) {
     held[i].f_W = work.wrench[i].f_W - held[i].f_W;
     held[i].t_W = work.wrench[i].t_W - held[i].t_W;

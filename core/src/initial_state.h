@@ -74,11 +74,9 @@ EngineState<Real> InitialState(const VehicleModel& vehicle, const Ground& ground
   return state;
 }
 
-/// Takes the share `share` of all velocities away.
+/// Leaves the share `keep` of all velocities.
 template <class Real>
-void DampMotion(double share, EngineState<Real>& state) {
-  using S = ScalarOf<Real>;
-  const Real keep{S(1 - share)};
+void DampMotion(const Real& keep, EngineState<Real>& state) {
   for (BodyState<Real>& body : state.bodies) {
     body.v_WB = keep * body.v_WB;
     body.h_WB = keep * body.h_WB;

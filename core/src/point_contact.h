@@ -17,26 +17,24 @@ namespace dbd {
 
 /// Height and normal of the ground under `p`, from heights before, behind, left and right of it as
 /// the body points: the result depends neither on the heading nor on the side.
-template <class Real>
-void SampleTangentPlane(const Ground& ground, const Mat3<Real>& R_WB, const Vec3<Real>& p,
+template <class Real, class Surface>
+void SampleTangentPlane(const Surface& ground, const Mat3<Real>& R_WB, const Vec3<Real>& p,
                         PointContactState<Real>& contact) {
   using S = ScalarOf<Real>;
-  constexpr int kLanes = LaneTraits<Real>::kLanes;
   constexpr double kReach = 0.025;  // [m] to each side
   constexpr std::array<std::array<double, 2>, 5> kPlaces = {
       {{0, 0}, {kReach, 0}, {-kReach, 0}, {0, kReach}, {0, -kReach}}};
   const Vec3<Real> ahead = Normalized(Vec3<Real>{R_WB.x.x, R_WB.x.y, Real(0)});  // left: (-y, x)
-  S x[5 * kLanes], y[5 * kLanes], z[5 * kLanes];
+  Real x[5], y[5], z[5];
   for (int j = 0; j < 5; ++j) {
     const Real along{S(kPlaces[j][0])}, left{S(kPlaces[j][1])};
-    LaneTraits<Real>::Store(p.x + along * ahead.x - left * ahead.y, x + j * kLanes);
-    LaneTraits<Real>::Store(p.y + along * ahead.y + left * ahead.x, y + j * kLanes);
+    x[j] = p.x + along * ahead.x - left * ahead.y;
+    y[j] = p.y + along * ahead.y + left * ahead.x;
   }
-  ground.Heights(5 * kLanes, x, y, z);
-  const auto height = [&](int j) { return LaneTraits<Real>::Load(z + j * kLanes); };
-  const Real rise = (height(1) - height(2)) * Real(S(0.5 / kReach));
-  const Real rise_left = (height(3) - height(4)) * Real(S(0.5 / kReach));
-  contact.p_WG = {p.x, p.y, height(0)};
+  ground.Heights(5, x, y, z);
+  const Real rise = (z[1] - z[2]) * Real(S(0.5 / kReach));
+  const Real rise_left = (z[3] - z[4]) * Real(S(0.5 / kReach));
+  contact.p_WG = {p.x, p.y, z[0]};
   contact.normal_W =
       Normalized(Vec3<Real>{rise_left * ahead.y - rise * ahead.x,
                             Real(-1) * (rise * ahead.y + rise_left * ahead.x), Real(1)});
@@ -44,21 +42,17 @@ void SampleTangentPlane(const Ground& ground, const Mat3<Real>& R_WB, const Vec3
 
 /// Samples the ground under every contact point that may touch it before the next sample; a point
 /// high above all ground around counts as over a level plane.
-template <class Real>
-void SamplePointContacts(const VehicleModel& model, const Ground& ground,
+template <class Real, class Surface>
+void SamplePointContacts(const VehicleModel& model, const Surface& ground,
                          const Workspace<Real>& work, EngineState<Real>& state) {
   using S = ScalarOf<Real>;
-  constexpr int kLanes = LaneTraits<Real>::kLanes;
   constexpr double kHigh = 0.15;  // [m] more than a body falls or tips in one tire step
   for (std::size_t i = 0; i < model.contacts.size(); ++i) {
     const ContactModel& contact = model.contacts[i];
     const Mat3<Real>& R_WB = work.R_WB[contact.body];
     const Vec3<Real> p = PointOn(state.bodies[contact.body], R_WB, contact.p_B).p;
-    S x[kLanes], y[kLanes], z[kLanes];
-    LaneTraits<Real>::Store(p.x, x);
-    LaneTraits<Real>::Store(p.y, y);
-    ground.HighestWithin(kHigh, kLanes, x, y, z);
-    const Real highest = LaneTraits<Real>::Load(z);
+    Real highest;
+    ground.HighestWithin(kHigh, 1, &p.x, &p.y, &highest);
     const auto near = highest + Real(S(kHigh)) > p.z;
     PointContactState<Real>& c = state.contacts[i];
     c.normal_W = {Real(0), Real(0), Real(1)};
@@ -158,8 +152,8 @@ void AddAppliedLoads(const VehicleModel& model, Workspace<Real>& work) {
 }
 
 /// All of the above; costs nothing for a vehicle without them.
-template <class Real>
-void AddContactsAndLoads(const VehicleModel& model, const Ground& ground, double step,
+template <class Real, class Surface>
+void AddContactsAndLoads(const VehicleModel& model, const Surface& ground, double step,
                          bool sample_ground, EngineState<Real>& state, Workspace<Real>& work) {
   if (sample_ground) SamplePointContacts(model, ground, work, state);
   AddContactForces(model, step, state, work);

@@ -3,7 +3,6 @@
 #include <dbd/core/ground.h>
 
 #include "engine_state.h"
-#include "janosi_share.h"
 
 namespace dbd {
 
@@ -15,17 +14,7 @@ struct TireSize {
 };
 
 /// One lane: thrust at full slip and resistance, each per load, and contact length over K.
-inline SoilRule<double> BekkerRule(const BekkerSoil& soil, const TireSize& tire,
-                                   double deflection) {
-  SoilRule<double> rule{static_cast<double>(TractionModel::kBekker), 0, 0, 0};
-  const double load = tire.stiffness * deflection;
-  if (load <= 0) return rule;
-  const BekkerWheelForces forces = BekkerWheel(soil, {load, tire.width, tire.diameter, deflection});
-  rule.shear_rate = forces.contact_length / soil.shear_deformation;
-  rule.capacity = forces.shear_strength / load * JanosiShareOf(rule.shear_rate).share;
-  rule.resistance = forces.resistance / load;
-  return rule;
-}
+SoilRule<double> BekkerRule(const BekkerSoil& soil, const TireSize& tire, double deflection);
 
 /// `soil`: one per lane.
 template <class Real>

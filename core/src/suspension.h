@@ -47,7 +47,7 @@ struct IndependentSuspension {
   double carrier_mass = 0;
   Eigen::Vector3d carrier_inertia = Eigen::Vector3d::Ones();
   std::vector<Link> links;
-  std::optional<Link> tie_rod;  // inner end and outer ball
+  std::optional<Link> tie_rod;                              // inner end and outer ball
   Eigen::Vector3d steering_axis = Eigen::Vector3d::Zero();  // its lower ball
   StiffnessDamping link_rate;
   SpringLayout spring;

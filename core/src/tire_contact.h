@@ -7,6 +7,7 @@
 
 #include "engine_state.h"
 #include "soil_rule.h"
+#include "tire_pattern.h"
 
 namespace dbd {
 
@@ -21,52 +22,6 @@ namespace dbd {
 // the segment. Known difference: points above the hub are left out. They cannot touch a height
 // field before the lower half is buried.
 
-inline constexpr int kTirePlanes = 3;
-inline constexpr int kMaxLowerPoints = 33;  // of one plane, for 64 points round the circle
-
-/// The lower points of one plane in the tire frame (x rolling direction, z up, origin at the hub)
-/// and what is constant between neighbours.
-struct TirePattern {
-  double radius = 0;
-  double half_span = 0;  // lateral distance of the outer planes from the middle one
-  double width = 0;      // of the tire
-  double stiffness = 0;
-  int count = 0;  // odd; the middle point is the lowest
-  std::array<double, kMaxLowerPoints> x{};
-  std::array<double, kMaxLowerPoints> z{};
-  // Of the segment from point i to i+1: four times the sagitta of the circle below its chord, and
-  // quotients that the sums need.
-  std::array<double, kMaxLowerPoints> bulge{};
-  std::array<double, kMaxLowerPoints> half_by_bulge{};
-  std::array<double, kMaxLowerPoints> length{};
-  std::array<double, kMaxLowerPoints> by_length{};
-};
-
-inline TirePattern MakeTirePattern(const TireModel& tire) {
-  TirePattern pattern;
-  pattern.radius = tire.radius;
-  pattern.half_span = tire.width / kTirePlanes;
-  pattern.width = tire.width;
-  pattern.stiffness = tire.stiffness;
-  const double step = 2 * std::numbers::pi / tire.points;
-  const int half = static_cast<int>(std::floor((0.5 * std::numbers::pi - 1e-9) / step));
-  pattern.count = 2 * half + 1;
-  for (int i = 0; i < pattern.count; ++i) {
-    pattern.x[i] = tire.radius * std::sin((i - half) * step);
-    pattern.z[i] = -tire.radius * std::cos((i - half) * step);
-  }
-  for (int i = 0; i + 1 < pattern.count; ++i) {
-    const double mid_x = 0.5 * (pattern.x[i] + pattern.x[i + 1]);
-    const double chord = 0.5 * (pattern.z[i] + pattern.z[i + 1]);
-    const double circle = -std::sqrt(tire.radius * tire.radius - mid_x * mid_x);
-    pattern.bulge[i] = 4 * (chord - circle);
-    pattern.half_by_bulge[i] = 0.5 / pattern.bulge[i];
-    pattern.length[i] = pattern.x[i + 1] - pattern.x[i];
-    pattern.by_length[i] = 1 / pattern.length[i];
-  }
-  return pattern;
-}
-
 /// Upright axes of a tire: forward and up, perpendicular to the spin axis `y`.
 template <class Real>
 Mat3<Real> TireFrame(const Vec3<Real>& y) {
@@ -78,46 +33,64 @@ Mat3<Real> TireFrame(const Vec3<Real>& y) {
 /// Sums over the contact, weighted with the area between tire and ground.
 template <class Real>
 struct ContactSums {
-  Real area{0}, x{0}, y{0}, z{0}, slope_x{0}, slope_y{0};
+  std::array<Real, kTirePlanes> area{Real(0), Real(0), Real(0)};  // of each plane
+  Real x{0}, z{0}, slope_x{0}, slope_y{0};
 };
 
-/// Penetrations, and ground heights in the tire frame, at one angle in the three planes.
+/// Penetrations at one angle in the three planes, and the slope of the ground across them.
 template <class Real>
 struct PointRow {
   std::array<Real, kTirePlanes> penetration;
-  std::array<Real, kTirePlanes> ground;
   Real slope_y;
 };
 
-/// Adds segment `i` of plane `j`: penetration p(t) = p0 + b t - q t^2 for t in [0, 1], counted
+/// What a segment adds to the sums of all planes, before its own constants come in.
+template <class Real>
+struct SegmentSums {
+  Real area{0}, along{0}, height{0}, rise{0};  // area times 1, t, ground above the tire point, rise
+};
+
+/// Adds plane `j` of segment `i`: penetration p(t) = p0 + b t - q t^2 for t in [0, 1], counted
 /// where it is positive.
 template <class Real>
 void AddSegment(const TirePattern& pattern, int i, int j, const PointRow<Real>& here,
-                const PointRow<Real>& next, ContactSums<Real>& sums) {
+                const PointRow<Real>& next, SegmentSums<Real>& row, ContactSums<Real>& sums) {
   using S = ScalarOf<Real>;
   const Real p0 = here.penetration[j];
+  const Real change = next.penetration[j] - p0;
   const Real q{S(pattern.bulge[i])};
-  const Real b = next.penetration[j] - p0 + q;
-  const Real disc = b * b + Real(4) * q * p0;
+  const Real b = change + q;
+  const Real disc = b * b + Real(S(4 * pattern.bulge[i])) * p0;
   if (!AnyOf(disc > Real(0))) return;
   const Real root = Sqrt(Max(disc, Real(0)));
   const Real scale{S(pattern.half_by_bulge[i])};
   const Real t0 = Clamp((b - root) * scale, Real(0), Real(1));
   const Real t1 = Clamp((b + root) * scale, Real(0), Real(1));
-  if (!AnyOf(t1 > t0)) return;
-  const auto primitive = [&](const Real& t) {
-    return t * (p0 + t * (Real(S(0.5)) * b - t * q * Real(S(1.0 / 3))));
-  };
-  const Real length{S(pattern.length[i])};
-  const Real area = length * Max(primitive(t1) - primitive(t0), Real(0));
-  const Real t = Real(S(0.5)) * (t0 + t1);
-  const Real rise = next.ground[j] - here.ground[j];
-  sums.area = sums.area + area;
-  sums.x = sums.x + area * (Real(S(pattern.x[i])) + t * length);
-  sums.y = sums.y + area * Real(S((j - 1) * pattern.half_span));
-  sums.z = sums.z + area * (here.ground[j] + t * rise);
-  sums.slope_x = sums.slope_x + area * rise * Real(S(pattern.by_length[i]));
-  sums.slope_y = sums.slope_y + area * Real(S(0.5)) * (here.slope_y + next.slope_y);
+  const Real both = t0 + t1;
+  const Real half_b = Real(S(0.5)) * b, third_q{S(pattern.bulge[i] / 3)};
+  const Real mean = p0 + half_b * both - third_q * (both * both - t0 * t1);
+  const Real area = Real(S(pattern.length[i])) * Max((t1 - t0) * mean, Real(0));
+  const Real t = Real(S(0.5)) * both;
+  const Real rise = Real(S(pattern.z[i + 1] - pattern.z[i])) + change;
+  sums.area[j] = sums.area[j] + area;
+  row.area = row.area + area;
+  row.along = row.along + area * t;
+  row.height = row.height + area * (p0 + t * rise);
+  row.rise = row.rise + area * rise;
+}
+
+/// Adds segment `i`, all planes.
+template <class Real>
+void AddSegments(const TirePattern& pattern, int i, const PointRow<Real>& here,
+                 const PointRow<Real>& next, ContactSums<Real>& sums) {
+  using S = ScalarOf<Real>;
+  SegmentSums<Real> row;
+  for (int j = 0; j < kTirePlanes; ++j) AddSegment(pattern, i, j, here, next, row, sums);
+  if (!AnyOf(row.area > Real(0))) return;
+  sums.x = sums.x + Real(S(pattern.x[i])) * row.area + Real(S(pattern.length[i])) * row.along;
+  sums.z = sums.z + Real(S(pattern.z[i])) * row.area + row.height;
+  sums.slope_x = sums.slope_x + Real(S(pattern.by_length[i])) * row.rise;
+  sums.slope_y = sums.slope_y + row.area * (Real(S(0.5)) * (here.slope_y + next.slope_y));
 }
 
 /// From vertical penetrations to the tire frame. A ground point lies above or below its tire point
@@ -125,16 +98,13 @@ void AddSegment(const TirePattern& pattern, int i, int j, const PointRow<Real>& 
 /// left, and the slope across the planes brings it back over the tire point.
 template <class Real>
 PointRow<Real> ToTireFrame(const std::array<Real, kTirePlanes>& vertical, const Mat3<Real>& R_WT,
-                           double half_span, double z) {
+                           double half_span) {
   using S = ScalarOf<Real>;
   const Real rise = vertical[2] - vertical[0];
   PointRow<Real> row;
   row.slope_y = rise * R_WT.z.z / (Real(S(2 * half_span)) + rise * R_WT.y.z);
   const Real factor = R_WT.z.z - row.slope_y * R_WT.y.z;
-  for (int j = 0; j < kTirePlanes; ++j) {
-    row.penetration[j] = vertical[j] * factor;
-    row.ground[j] = Real(S(z)) + row.penetration[j];
-  }
+  for (int j = 0; j < kTirePlanes; ++j) row.penetration[j] = vertical[j] * factor;
   return row;
 }
 
@@ -153,32 +123,38 @@ int ActiveHalfCount(const TirePattern& pattern, const Mat3<Real>& R_WT, const Ve
   return active < 0 ? -1 : std::min(active + 1, half);
 }
 
-/// Heights under the points half-count .. half+count of all planes, as vertical penetrations.
+/// Rows whose heights are asked for together: one question for a whole wheel, and row by row in
+/// packs, which look the heights up themselves and need not keep them.
 template <class Real>
-void VerticalPenetrations(const TirePattern& pattern, const Ground& ground, const Mat3<Real>& R_WT,
-                          const Vec3<Real>& p_WH, int first, int last,
-                          std::array<std::array<Real, kTirePlanes>, kMaxLowerPoints>& result) {
+inline constexpr int kRowsAtOnce = LaneTraits<Real>::kLanes == 1 ? kMaxLowerPoints : 1;
+
+/// Vertical penetrations of one row: the same angle in the three planes.
+template <class Real>
+using RowHeights = std::array<Real, kTirePlanes>;
+
+/// Of `count` rows from `first` on.
+template <class Real, class Surface>
+void VerticalPenetrations(const TirePattern& pattern, const Surface& ground, const Mat3<Real>& R_WT,
+                          const Vec3<Real>& p_WH, int first, int count, RowHeights<Real>* rows) {
   using S = ScalarOf<Real>;
-  constexpr int kLanes = LaneTraits<Real>::kLanes;
-  constexpr int kMost = kMaxLowerPoints * kTirePlanes * kLanes;
-  S x[kMost], y[kMost], z[kMost];
-  Real tire_z[kMaxLowerPoints * kTirePlanes];
-  int n = 0;
-  for (int i = first; i <= last; ++i) {
-    const Vec3<Real> middle =
-        p_WH + Real(S(pattern.x[i])) * R_WT.x + Real(S(pattern.z[i])) * R_WT.z;
-    for (int j = 0; j < kTirePlanes; ++j, ++n) {
-      const Vec3<Real> p = middle + Real(S((j - 1) * pattern.half_span)) * R_WT.y;
-      LaneTraits<Real>::Store(p.x, x + n * kLanes);
-      LaneTraits<Real>::Store(p.y, y + n * kLanes);
-      tire_z[n] = p.z;
+  constexpr int kMost = kRowsAtOnce<Real> * kTirePlanes;
+  Real x[kMost], y[kMost], z[kMost], tire_z[kMost];
+  const Vec3<Real> across = Real(S(pattern.half_span)) * R_WT.y;
+  const std::array<Vec3<Real>, kTirePlanes> centers = {p_WH - across, p_WH, p_WH + across};
+  for (int i = 0; i < count; ++i) {
+    const Vec3<Real> down =
+        Real(S(pattern.x[first + i])) * R_WT.x + Real(S(pattern.z[first + i])) * R_WT.z;
+    for (int j = 0; j < kTirePlanes; ++j) {
+      const Vec3<Real> p = centers[j] + down;
+      x[i * kTirePlanes + j] = p.x;
+      y[i * kTirePlanes + j] = p.y;
+      tire_z[i * kTirePlanes + j] = p.z;
     }
   }
-  ground.Heights(n * kLanes, x, y, z);
-  n = 0;
-  for (int i = first; i <= last; ++i) {
-    for (int j = 0; j < kTirePlanes; ++j, ++n) {
-      result[i][j] = LaneTraits<Real>::Load(z + n * kLanes) - tire_z[n];
+  ground.Heights(count * kTirePlanes, x, y, z);
+  for (int i = 0; i < count; ++i) {
+    for (int j = 0; j < kTirePlanes; ++j) {
+      rows[i][j] = z[i * kTirePlanes + j] - tire_z[i * kTirePlanes + j];
     }
   }
 }
@@ -194,58 +170,61 @@ Real EquivalentDeflection(const Real& area, double radius) {
   return Real(S(radius)) * ratio * (Real(1) + Real(S(0.1)) * ratio);
 }
 
-template <class Real>
-void SetContactSoil(const TirePattern& pattern, const Ground& ground, TireContact<Real>& contact) {
+/// Of the lanes that touch the ground.
+template <class Real, class Surface, class Mask>
+void SetContactSoil(const TirePattern& pattern, const Surface& ground, const Mask& touching,
+                    TireContact<Real>& contact) {
   using S = ScalarOf<Real>;
   constexpr int kLanes = LaneTraits<Real>::kLanes;
-  S x[kLanes], y[kLanes], cone_index[kLanes], friction[kLanes];
+  S cone_index[kLanes], friction[kLanes];
   SoilSample soil[kLanes];
-  LaneTraits<Real>::Store(contact.p_WH.x + contact.p_HC_W.x, x);
-  LaneTraits<Real>::Store(contact.p_WH.y + contact.p_HC_W.y, y);
-  ground.Soils(kLanes, x, y, soil);
+  const Real x = contact.p_WH.x + contact.p_HC_W.x, y = contact.p_WH.y + contact.p_HC_W.y;
+  ground.Soils(1, &x, &y, soil);
   for (int i = 0; i < kLanes; ++i) {
     cone_index[i] = static_cast<S>(soil[i].cone_index);
     friction[i] = static_cast<S>(soil[i].friction_limit);
   }
-  contact.cone_index = LaneTraits<Real>::Load(cone_index);
-  contact.friction_limit = LaneTraits<Real>::Load(friction);
-  contact.rule = MakeSoilRule(soil, {pattern.width, 2 * pattern.radius, pattern.stiffness},
-                              contact.deflection);
+  const auto set = [&](const Real& value, Real& kept) { kept = Select(touching, value, kept); };
+  set(LaneTraits<Real>::Load(cone_index), contact.cone_index);
+  set(LaneTraits<Real>::Load(friction), contact.friction_limit);
+  const SoilRule<Real> rule = MakeSoilRule(
+      soil, {pattern.width, 2 * pattern.radius, pattern.stiffness}, contact.deflection);
+  set(rule.model, contact.rule.model);
+  set(rule.capacity, contact.rule.capacity);
+  set(rule.shear_rate, contact.rule.shear_rate);
+  set(rule.resistance, contact.rule.resistance);
 }
 
-template <class Real>
-Real HighestUnder(const Ground& ground, double radius, const Vec3<Real>& p_WH) {
-  using S = ScalarOf<Real>;
-  constexpr int kLanes = LaneTraits<Real>::kLanes;
-  S x[kLanes], y[kLanes], z[kLanes];
-  LaneTraits<Real>::Store(p_WH.x, x);
-  LaneTraits<Real>::Store(p_WH.y, y);
-  ground.HighestWithin(radius, kLanes, x, y, z);
-  return LaneTraits<Real>::Load(z);
+template <class Real, class Surface>
+Real HighestUnder(const Surface& ground, double radius, const Vec3<Real>& p_WH) {
+  Real z;
+  ground.HighestWithin(radius, 1, &p_WH.x, &p_WH.y, &z);
+  return z;
 }
 
-template <class Real>
-ContactSums<Real> SumContact(const TirePattern& pattern, const Ground& ground,
+template <class Real, class Surface>
+ContactSums<Real> SumContact(const TirePattern& pattern, const Surface& ground,
                              const Mat3<Real>& R_WT, const Vec3<Real>& p_WH, int active) {
   const int half = pattern.count / 2;
-  std::array<std::array<Real, kTirePlanes>, kMaxLowerPoints> vertical;
-  VerticalPenetrations(pattern, ground, R_WT, p_WH, half - active, half + active, vertical);
-  const auto row_at = [&](int i) {
-    return ToTireFrame(vertical[i], R_WT, pattern.half_span, pattern.z[i]);
-  };
+  const int first = half - active, last = half + active;
+  RowHeights<Real> vertical[kRowsAtOnce<Real>];
   ContactSums<Real> sums;
-  PointRow<Real> here = row_at(half - active);
-  for (int i = half - active; i < half + active; ++i) {
-    const PointRow<Real> next = row_at(i + 1);
-    for (int j = 0; j < kTirePlanes; ++j) AddSegment(pattern, i, j, here, next, sums);
-    here = next;
+  PointRow<Real> here;
+  for (int block = first; block <= last; block += kRowsAtOnce<Real>) {
+    const int count = std::min(kRowsAtOnce<Real>, last - block + 1);
+    VerticalPenetrations(pattern, ground, R_WT, p_WH, block, count, vertical);
+    for (int i = block; i < block + count; ++i) {
+      const PointRow<Real> next = ToTireFrame(vertical[i - block], R_WT, pattern.half_span);
+      if (i > first) AddSegments(pattern, i - 1, here, next, sums);
+      here = next;
+    }
   }
   return sums;
 }
 
 /// Samples the ground under a wheel whose hub is at p_WH with spin axis y_W (left).
-template <class Real>
-void SampleContact(const TirePattern& pattern, const Ground& ground, const Vec3<Real>& p_WH,
+template <class Real, class Surface>
+void SampleContact(const TirePattern& pattern, const Surface& ground, const Vec3<Real>& p_WH,
                    const Vec3<Real>& y_W, TireContact<Real>& contact) {
   using S = ScalarOf<Real>;
   const Mat3<Real> R_WT = TireFrame(y_W);
@@ -257,14 +236,21 @@ void SampleContact(const TirePattern& pattern, const Ground& ground, const Vec3<
 
   const ContactSums<Real> sums = SumContact(pattern, ground, R_WT, p_WH, active);
   const Real least_area{S(1e-12)};
-  const Real scale = Real(1) / Max(sums.area, least_area);
+  const Real area = sums.area[0] + sums.area[1] + sums.area[2];
+  const auto touching = area > least_area;
+  if (!AnyOf(touching)) return;
+  // A lane in the air keeps what it last met, as it would alone.
+  const Real scale = Real(1) / Max(area, least_area);
   contact.normal_W =
-      Normalized(R_WT.z - (scale * sums.slope_x) * R_WT.x - (scale * sums.slope_y) * R_WT.y);
-  contact.p_HC_W = R_WT * Vec3<Real>{scale * sums.x, scale * sums.y, scale * sums.z};
-  contact.deflection =
-      Select(sums.area > least_area,
-             EquivalentDeflection(Real(S(1.0 / kTirePlanes)) * sums.area, pattern.radius), Real(0));
-  SetContactSoil(pattern, ground, contact);
+      Select(touching,
+             Normalized(R_WT.z - (scale * sums.slope_x) * R_WT.x - (scale * sums.slope_y) * R_WT.y),
+             contact.normal_W);
+  const Real y = Real(S(pattern.half_span)) * (sums.area[2] - sums.area[0]);
+  contact.p_HC_W = Select(touching, R_WT * Vec3<Real>{scale * sums.x, scale * y, scale * sums.z},
+                          contact.p_HC_W);
+  contact.deflection = Select(
+      touching, EquivalentDeflection(Real(S(1.0 / kTirePlanes)) * area, pattern.radius), Real(0));
+  SetContactSoil(pattern, ground, touching, contact);
 }
 
 }  // namespace dbd

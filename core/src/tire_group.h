@@ -21,9 +21,9 @@ HubPose<Real> LocateHub(const WheelModel& wheel, const Mat3<Real>& R_WB, const R
   return {R_WB * Broadcast<Real>(wheel.p_BH), cosine * R_WB.y - steer_sine * R_WB.x};
 }
 
-template <class Real>
+template <class Real, class Surface>
 void SampleContacts(const VehicleModel& model, const std::vector<TirePattern>& patterns,
-                    const Ground& ground, const WheelControls<Real>& controls,
+                    const Surface& ground, const WheelControls<Real>& controls,
                     const Workspace<Real>& work, EngineState<Real>& state) {
   for (std::size_t i = 0; i < model.wheels.size(); ++i) {
     const WheelModel& wheel = model.wheels[i];
@@ -55,9 +55,10 @@ void ApplyTire(const WheelModel& wheel, const TireLaw<Real>& law, const HubPose<
 }
 
 template <class Real>
-void AddTireForces(const VehicleModel& model, const WheelControls<Real>& controls, double step,
+void AddTireForces(const EngineModel& engine, const WheelControls<Real>& controls, double step,
                    EngineState<Real>& state, Workspace<Real>& work) {
   using S = ScalarOf<Real>;
+  const VehicleModel& model = *engine.vehicle;
   std::array<TireLaw<Real>, kMaxWheels> laws;
   std::array<HubPose<Real>, kMaxWheels> hubs;
   std::array<CarrierSpin<Real>, kMaxWheels> carriers;
@@ -67,10 +68,10 @@ void AddTireForces(const VehicleModel& model, const WheelControls<Real>& control
     hubs[i] = LocateHub(wheel, work.R_WB[wheel.body], controls.steer_sine[i]);
     laws[i] = EvaluateTire(wheel, state.bodies[wheel.body], hubs[i].lever, hubs[i].y_W, step,
                            state.wheels[i]);
-    carriers[i] = PredictCarrierSpin(model, wheel.body, state.bodies[wheel.body],
-                                     work.wrench[wheel.body], hubs[i].y_W, step);
+    carriers[i] = PredictCarrierSpin(engine, i, state.bodies[wheel.body], work.wrench[wheel.body],
+                                     hubs[i].y_W, step);
   }
-  AdvanceSpins(model, controls, step, laws, carriers, state, spin_change, brake_torque);
+  AdvanceSpins(engine, controls, step, laws, carriers, state, spin_change, brake_torque);
   for (std::size_t i = 0; i < model.wheels.size(); ++i) {
     const WheelModel& wheel = model.wheels[i];
     const TireLaw<Real>& law = laws[i];

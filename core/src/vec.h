@@ -52,6 +52,11 @@ Vec3<Real> Normalized(const Vec3<Real>& a) {
   return (Real(1) / Norm(a)) * a;
 }
 
+template <class Mask, class Real>
+Vec3<Real> Select(const Mask& mask, const Vec3<Real>& yes, const Vec3<Real>& no) {
+  return {Select(mask, yes.x, no.x), Select(mask, yes.y, no.y), Select(mask, yes.z, no.z)};
+}
+
 /// The same constant vector in every lane.
 template <class Real>
 Vec3<Real> Broadcast(const Eigen::Vector3d& v) {
@@ -96,9 +101,11 @@ Mat3<Real> RotationMatrix(const Quat<Real>& q) {
 /// the final normalisation removes what is left.
 template <class Real>
 Quat<Real> Rotated(const Quat<Real>& q, const Vec3<Real>& r) {
-  const Real h2 = Real(0.25) * Dot(r, r);
-  const Real cosine = Real(1) - h2 * (Real(1.0 / 2) - h2 * (Real(1.0 / 24) - h2 * Real(1.0 / 720)));
-  const Real sinc = Real(0.5) * (Real(1) - h2 * (Real(1.0 / 6) - h2 * (Real(1.0 / 120))));
+  using S = ScalarOf<Real>;
+  const auto c = [](double value) { return Real(S(value)); };
+  const Real h2 = c(0.25) * Dot(r, r);
+  const Real cosine = c(1) - h2 * (c(1.0 / 2) - h2 * (c(1.0 / 24) - h2 * c(1.0 / 720)));
+  const Real sinc = c(0.5) * (c(1) - h2 * (c(1.0 / 6) - h2 * c(1.0 / 120)));
   const Quat<Real> turned = Quat<Real>{cosine, sinc * r.x, sinc * r.y, sinc * r.z} * q;
   const Real norm2 =
       turned.w * turned.w + turned.x * turned.x + turned.y * turned.y + turned.z * turned.z;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine_model.h"
 #include "tire_force.h"
 
 namespace dbd {
@@ -25,19 +26,6 @@ void CoupleShafts(const Real& inertia_a, const Real& inertia_b, const Real& most
   spin_b = spin_b + impulse / inertia_b;
 }
 
-inline double CouplingTorque(const DifferentialModel& differential) {
-  constexpr double kLockedTorque = 1e6;  // [N m] more than any axle carries
-  switch (differential.type) {
-    case DifferentialType::kOpen:
-      return 0;
-    case DifferentialType::kLimitedSlip:
-      return differential.bias_torque;
-    case DifferentialType::kLocked:
-      return kLockedTorque;
-  }
-  return 0;
-}
-
 /// Between neighbouring driven axles, through the mean of their wheels.
 template <class Real>
 void CoupleAxles(const AxleModel& a, const AxleModel& b, const Real& most,
@@ -55,20 +43,21 @@ void CoupleAxles(const AxleModel& a, const AxleModel& b, const Real& most,
 }
 
 template <class Real>
-void ApplyDifferentials(const VehicleModel& model, const SpinArray<Real>& inertia, double step,
+void ApplyDifferentials(const EngineModel& engine, const SpinArray<Real>& inertia, double step,
                         SpinArray<Real>& spin) {
   using S = ScalarOf<Real>;
+  const VehicleModel& model = *engine.vehicle;
   const AxleModel* previous = nullptr;
-  for (const AxleModel& axle : model.axles) {
+  for (std::size_t i = 0; i < model.axles.size(); ++i) {
+    const AxleModel& axle = model.axles[i];
     if (!axle.driven) continue;
-    const double most = CouplingTorque(axle.differential);
+    const double most = engine.axle_coupling[i];
     if (most > 0) {
       CoupleShafts(inertia[axle.left], inertia[axle.right], Real(S(most * step)), spin[axle.left],
                    spin[axle.right]);
     }
-    const double centre = CouplingTorque(model.powertrain.centre);
-    if (previous != nullptr && centre > 0) {
-      CoupleAxles(*previous, axle, Real(S(centre * step)), inertia, spin);
+    if (previous != nullptr && engine.centre_coupling > 0) {
+      CoupleAxles(*previous, axle, Real(S(engine.centre_coupling * step)), inertia, spin);
     }
     previous = &axle;
   }
@@ -81,21 +70,15 @@ struct CarrierSpin {
   Real inertia;  // shared among the wheels that it carries
 };
 
-/// Wheels on one body share its inertia.
-inline double CarrierInertia(const VehicleModel& model, int body) {
-  int wheels = 0;
-  for (const WheelModel& wheel : model.wheels) wheels += wheel.body == body;
-  return model.bodies[body].inertia.y() / wheels;
-}
-
 template <class Real>
-CarrierSpin<Real> PredictCarrierSpin(const VehicleModel& model, int carrier,
+CarrierSpin<Real> PredictCarrierSpin(const EngineModel& engine, std::size_t wheel,
                                      const BodyState<Real>& body, const Wrench<Real>& wrench,
                                      const Vec3<Real>& y_W, double step) {
   using S = ScalarOf<Real>;
-  const Real gain{S(step / model.bodies[carrier].inertia.y())};
+  const BodyModel& carrier = engine.vehicle->bodies[engine.vehicle->wheels[wheel].body];
+  const Real gain{S(step / carrier.inertia.y())};
   return {Dot(body.w_WB, y_W) + gain * Dot(wrench.t_W, y_W),
-          Real(S(CarrierInertia(model, carrier)))};
+          Real(S(engine.carrier_inertia[wheel]))};
 }
 
 /// Friction between wheel and carrier takes the wheel towards `rate`, as far as the brake can;
@@ -133,12 +116,13 @@ void ApplyBrakes(const VehicleModel& model, const AxleModel& axle,
 /// New spins from the tire laws and controls; leaves the brakes' torques on the wheels in
 /// `brake_torque`.
 template <class Real>
-void AdvanceSpins(const VehicleModel& model, const WheelControls<Real>& controls, double step,
+void AdvanceSpins(const EngineModel& engine, const WheelControls<Real>& controls, double step,
                   const std::array<TireLaw<Real>, kMaxWheels>& laws,
                   const std::array<CarrierSpin<Real>, kMaxWheels>& carriers,
                   EngineState<Real>& state, SpinArray<Real>& spin_change,
                   SpinArray<Real>& brake_torque) {
   using S = ScalarOf<Real>;
+  const VehicleModel& model = *engine.vehicle;
   const Real dt{S(step)};
   SpinArray<Real> inertia{}, spin{};
   for (std::size_t i = 0; i < model.wheels.size(); ++i) {
@@ -149,7 +133,7 @@ void AdvanceSpins(const VehicleModel& model, const WheelControls<Real>& controls
         controls.drive_torque[i] - law.rolling_radius * law.traction0 - law.carcass_torque;
     spin[i] = state.wheels[i].spin + dt * torque / inertia[i];
   }
-  ApplyDifferentials(model, inertia, step, spin);
+  ApplyDifferentials(engine, inertia, step, spin);
   for (const AxleModel& axle : model.axles) {
     ApplyBrakes(model, axle, controls, carriers, dt, inertia, spin, brake_torque);
   }

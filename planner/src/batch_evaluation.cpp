@@ -3,9 +3,12 @@
 #include <dbd/planner/thread_count.h>
 
 #include <tbb/parallel_for.h>
+#include <tbb/partitioner.h>
 #include <tbb/task_arena.h>
 
 #include <mutex>
+
+#include "lane_batch.h"
 
 namespace dbd {
 namespace {
@@ -17,17 +20,32 @@ double LongestTime(const Path& path, double max_speed) {
   return kStartAndStop + path.length() / (kSlowestShare * max_speed);
 }
 
-Rollout DriveCandidate(const Terrain& terrain, const VehicleModel& vehicle,
-                       const Candidate& candidate, const PlanOptions& options,
-                       std::stop_token stop) {
+DriveTask TaskOf(const Candidate& candidate, const PlanOptions& options) {
   DriveOptions drive;
   drive.target_speed = options.max_speed;
   drive.duration = LongestTime(candidate.path, options.max_speed);
   drive.trace_interval = 0;
   drive.goal_tolerance = options.goal_tolerance;
   drive.stop_at_violation = true;
-  return DrivePath(terrain, vehicle, candidate.path, candidate.path.Position(0),
-                   candidate.path.Heading(0), drive, stop);
+  return {&candidate.path, candidate.path.Position(0), candidate.path.Heading(0), drive};
+}
+
+void DriveInLanes(const Terrain& terrain, const VehicleModel& vehicle, int threads,
+                  DriveQueue& queue) {
+  const auto workers = static_cast<std::size_t>(threads);
+  const LaneKind kind = LanesFor((queue.tasks.size() + workers - 1) / workers);
+  tbb::parallel_for(
+      std::size_t{0}, workers, [&](std::size_t) { LaneBatch(terrain, vehicle, kind).Run(queue); },
+      tbb::simple_partitioner());
+}
+
+void DriveOneByOne(const Terrain& terrain, const VehicleModel& vehicle, DriveQueue& queue) {
+  tbb::parallel_for(std::size_t{0}, queue.tasks.size(), [&](std::size_t i) {
+    const DriveTask& task = queue.tasks[i];
+    queue.rollouts[i] =
+        DrivePath(terrain, vehicle, *task.path, task.start, task.heading, task.options, queue.stop);
+    queue.on_done();
+  });
 }
 
 }  // namespace
@@ -37,20 +55,24 @@ std::vector<Rollout> EvaluateRollouts(const Terrain& terrain, const VehicleModel
                                       const PlanOptions& options, const ProgressCallback& progress,
                                       std::stop_token stop) {
   std::vector<Rollout> rollouts(candidates.size());
+  std::vector<DriveTask> tasks;
+  for (const Candidate& candidate : candidates) tasks.push_back(TaskOf(candidate, options));
   std::mutex progress_mutex;
   int done = 0;
-  const int total = static_cast<int>(candidates.size());
   const auto report = [&] {
     if (!progress) return;
     const std::lock_guard lock(progress_mutex);
-    progress("drive", ++done, total);
+    progress("drive", ++done, static_cast<int>(candidates.size()));
   };
-  tbb::task_arena arena(ThreadCount(options));
+  DriveQueue queue{tasks, rollouts, report, stop};
+  const int threads = ThreadCount(options);
+  tbb::task_arena arena(threads);
   arena.execute([&] {
-    tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) {
-      rollouts[i] = DriveCandidate(terrain, vehicle, candidates[i], options, stop);
-      report();
-    });
+    if (options.engine == RolloutEngine::kLanes) {
+      DriveInLanes(terrain, vehicle, threads, queue);
+    } else {
+      DriveOneByOne(terrain, vehicle, queue);
+    }
   });
   return rollouts;
 }

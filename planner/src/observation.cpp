@@ -4,6 +4,7 @@
 #include <dbd/core/units.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -13,14 +14,6 @@ namespace {
 constexpr double kLeastObstacleHeight = 0.3;  // [m] lower things are driven over or are ground
 
 using WheelViews = std::vector<WheelView>;
-
-WheelViews LookAtWheels(const Simulation& simulation, const VehicleModel& vehicle) {
-  WheelViews wheels(vehicle.wheels.size());
-  for (std::size_t i = 0; i < wheels.size(); ++i) {
-    wheels[i] = simulation.Wheel(static_cast<int>(i));
-  }
-  return wheels;
-}
 
 /// Inclination of the plane through the ground under the outermost wheels, steepest direction.
 double GroundSlope(const Terrain& terrain, const VehicleModel& vehicle, const WheelViews& wheels) {
@@ -46,15 +39,18 @@ double BellyClearance(const Terrain& terrain, const VehicleModel& vehicle,
   const double half_width = 0.35 * vehicle.mean_track();  // inside the tires
   double rear = std::numeric_limits<double>::infinity();
   for (const AxleModel& axle : vehicle.axles) rear = std::min(rear, axle.x - p_RB.x());
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < kAlong; ++i) {
-    const double x = rear + vehicle.wheelbase() * i / (kAlong - 1);
-    for (int j = 0; j < kAcross; ++j) {
-      const double y = half_width * (j - 1);
-      const Eigen::Vector3d p = chassis.p_WB + chassis.q_WB * Eigen::Vector3d(x, y, z);
-      least = std::min(least, p.z() - terrain.Height(p.x(), p.y()));
-    }
+  const Eigen::Matrix3d R_WB = chassis.q_WB.toRotationMatrix();
+  const double spacing = vehicle.wheelbase() / (kAlong - 1);
+  std::array<double, kAlong * kAcross> xs, ys, zs, ground;
+  for (std::size_t i = 0; i < xs.size(); ++i) {
+    const double along = rear + spacing * static_cast<double>(i / kAcross);
+    const double across = half_width * (static_cast<double>(i % kAcross) - 1);
+    const Eigen::Vector3d p = chassis.p_WB + R_WB * Eigen::Vector3d(along, across, z);
+    xs[i] = p.x(), ys[i] = p.y(), zs[i] = p.z();
   }
+  terrain.Heights(static_cast<int>(xs.size()), xs.data(), ys.data(), ground.data());
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < xs.size(); ++i) least = std::min(least, zs[i] - ground[i]);
   return least;
 }
 
@@ -123,13 +119,13 @@ bool HitsObstacle(const Terrain& terrain, const VehicleModel& vehicle, const Cha
 
 }  // namespace
 
-Observation Observe(const Simulation& simulation, const Terrain& terrain,
+Observation Observe(const VehicleSnapshot& snapshot, const Terrain& terrain,
                     const VehicleModel& vehicle, const SinkageOptions& sinkage) {
-  const ChassisView chassis = simulation.Chassis();
-  const WheelViews wheels = LookAtWheels(simulation, vehicle);
+  const ChassisView& chassis = snapshot.chassis;
+  const WheelViews& wheels = snapshot.wheels;
   Observation observation;
   TraceSample& sample = observation.sample;
-  sample.t = simulation.time();
+  sample.t = snapshot.time;
   sample.x = chassis.p_WB.x();
   sample.y = chassis.p_WB.y();
   sample.z = chassis.p_WB.z();

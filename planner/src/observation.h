@@ -16,8 +16,8 @@ struct Observation {
   double up = 1;  ///< cosine of the chassis' tilt
 };
 
-/// Looks at the vehicle as it is now.
-Observation Observe(const Simulation& simulation, const Terrain& terrain,
+/// Looks at the vehicle as it is at one moment.
+Observation Observe(const VehicleSnapshot& snapshot, const Terrain& terrain,
                     const VehicleModel& vehicle, const SinkageOptions& sinkage = {});
 
 }  // namespace dbd

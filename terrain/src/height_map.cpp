@@ -11,7 +11,7 @@ namespace dbd {
 namespace {
 
 // Tiles of the bound are about this wide where cells are smaller: a wheel's radius fits [m].
-constexpr double kTileWidth = 1.0;
+constexpr double kTileWidth = 0.5;
 
 // Tiles of an n-cell axis.
 int TileCount(int cells, int tile_cells) { return (cells - 2) / tile_cells + 1; }
@@ -132,6 +132,23 @@ double HeightMap::CellHeight(int column, int row) const {
   const RowPair& pair =
       row_pairs_[static_cast<std::size_t>(last_row ? row - 1 : row) * grid_.columns + column];
   return base_height_ + double{last_row ? pair.north : pair.south};
+}
+
+GroundGrid HeightMap::View() const {
+  GroundGrid view;
+  view.columns = grid_.columns;
+  view.rows = grid_.rows;
+  view.x0 = grid_.first_center.x();
+  view.y0 = grid_.first_center.y();
+  view.cell_x = grid_.cell_size.x();
+  view.cell_y = grid_.cell_size.y();
+  view.base_height = base_height_;
+  view.row_pairs = &row_pairs_.front().south;
+  view.tile_cells = tile_cells_;
+  view.tile_columns = tile_columns_;
+  view.tile_width = tile_width_;
+  view.highest_nearby = highest_nearby_.data();
+  return view;
 }
 
 std::size_t HeightMap::memory_bytes() const {

@@ -31,6 +31,11 @@ void Terrain::HighestWithin(double radius, int count, const double* x, const dou
   for (int i = 0; i < count; ++i) z[i] = std::max(z[i], tin_->HighestWithin(radius, x[i], y[i]));
 }
 
+std::optional<GroundGrid> Terrain::Grid() const {
+  if (tin_) return std::nullopt;
+  return heights_.View();
+}
+
 bool Terrain::IsKnown(double x, double y) const {
   double z = 0;
   return tin_ ? tin_->FindHeight(x, y, &z) : heights_.IsKnown(x, y);

@@ -56,7 +56,7 @@ TEST(InitialState, DampingTakesAShareOfTheMotion) {
   const auto ground = MakePlaneGround(0, 0);
   auto state = InitialState<double>(Tm27(), *ground, {0, 0}, 0);
   state.bodies[0].v_WB = {1, 2, 3};
-  DampMotion(0.25, state);
+  DampMotion(0.75, state);
   EXPECT_EQ(ToEigen(state.bodies[0].v_WB), Eigen::Vector3d(0.75, 1.5, 2.25));
 }
 

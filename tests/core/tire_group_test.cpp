@@ -35,7 +35,7 @@ TEST(TireGroup, WheelsInTheAirGetNoForceButTheirGyroscopicMoment) {
                      scene.state.bodies[static_cast<std::size_t>(body)]);
   Workspace<double> work = scene.work;
   for (Wrench<double>& w : work.wrench) w.Clear();
-  AddTireForces(Tm27(), scene.controls, 2e-3, scene.state, work);
+  AddTireForces(scene.engine, scene.controls, 2e-3, scene.state, work);
   // -J Omega (w x y) = -1.6 * 30 * 2 (z x y) = +96 x: turning left lifts the left side.
   EXPECT_NEAR(work.wrench[static_cast<std::size_t>(body)].t_W.x, 96, 1e-9);
   EXPECT_EQ(work.wrench[static_cast<std::size_t>(body)].f_W.z, 0);

@@ -22,8 +22,9 @@ class SpinsInTheAir : public ::testing::Test {
   }
 
   void Advance(int steps = 1) {
+    const EngineModel engine(vehicle);
     for (int i = 0; i < steps; ++i) {
-      AdvanceSpins(vehicle, controls, kStep, laws, carriers, state, change, brake_torque);
+      AdvanceSpins(engine, controls, kStep, laws, carriers, state, change, brake_torque);
     }
   }
   double Momentum() const {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <dbd/core/bekker.h>
+#include <dbd/core/ground_grid.h>
 
 #include <limits>
+#include <optional>
 
 namespace dbd {
 
@@ -47,6 +49,10 @@ class Ground {
     (void)x, (void)y;
     return true;
   }
+
+  /// The heights as a grid, where they are nothing else: packs of vehicles read it themselves.
+  /// Nothing, the default, means "ask Heights and HighestWithin".
+  virtual std::optional<GroundGrid> Grid() const { return std::nullopt; }
 
   double Height(double x, double y) const {
     double z = 0;

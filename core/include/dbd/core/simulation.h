@@ -41,6 +41,14 @@ struct ChassisView {
   double forward_speed = 0;
 };
 
+/// A whole vehicle at one moment.
+struct VehicleSnapshot {
+  double time = 0;
+  ChassisView chassis;
+  std::vector<WheelView> wheels;                         ///< like the model's
+  Eigen::Vector2d path_point = Eigen::Vector2d::Zero();  ///< what follows the path, in W
+};
+
 /// How tires meet the ground.
 enum class TireKind {
   kFull,          ///< three planes, Brixius, lateral force: the vehicle's own
@@ -94,6 +102,8 @@ class Simulation {
   double control_step() const;
   ChassisView Chassis() const;
   WheelView Wheel(int index) const;
+  /// Fills `snapshot`, reusing its memory.
+  void Observe(VehicleSnapshot& snapshot) const;
   /// Without the going: who drives carefully adds what is observed of it.
   DriverView ViewForDriver() const;
   /// Of the chassis along its z axis, without gravity, mean over the last control step [m/s^2].

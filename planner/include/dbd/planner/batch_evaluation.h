@@ -10,8 +10,10 @@ namespace dbd {
 
 /// Drives every candidate in full dynamics, in parallel; slot i of the result is candidate i.
 ///
-/// Each rollout is one task that reads shared, immutable data and writes its own slot; nothing is
-/// reduced in the order of arrival, so that the result does not depend on the number of threads.
+/// Every thread drives a pack of candidates at once and takes the next candidate whenever a lane is
+/// free. What a lane does depends neither on its neighbours nor on the width of the pack, every
+/// rollout has a slot of its own, and nothing is reduced in the order of arrival: the result does
+/// not depend on the number of threads.
 /// `progress` is called from the calling thread's arena, one call at a time.
 std::vector<Rollout> EvaluateRollouts(const Terrain& terrain, const VehicleModel& vehicle,
                                       const std::vector<Candidate>& candidates,

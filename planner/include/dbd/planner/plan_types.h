@@ -28,12 +28,19 @@ struct ScoringOptions {
   double risk_weight = 30.0;    ///< [s] at no margin left
 };
 
+/// What drives the candidates.
+enum class RolloutEngine {
+  kLanes,      ///< many vehicles at once in single precision (`SimulationLanes`)
+  kReference,  ///< one vehicle at a time in double precision (`Simulation`)
+};
+
 struct PlanOptions {
   SamplingOptions sampling;
   ScoringOptions scoring;
   std::uint64_t seed = 1;
   double max_speed = 8.0;       ///< target speed on open ground [m/s]
   int threads = 0;              ///< 0 = all
+  RolloutEngine engine = RolloutEngine::kLanes;
   double goal_tolerance = 2.0;  ///< [m]
 
   /// Throws InputError that names the field, its value and the rule.

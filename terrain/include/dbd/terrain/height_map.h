@@ -1,5 +1,7 @@
 #pragma once
 
+#include <dbd/core/ground_grid.h>
+
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
@@ -48,6 +50,9 @@ class HeightMap {
   /// Whether the height of this cell was given.
   bool IsCellKnown(int column, int row) const;
   double CellHeight(int column, int row) const;
+
+  /// The same heights as plain data, valid as long as this map stays where it is.
+  GroundGrid View() const;
 
   const Grid& grid() const { return grid_; }
   Eigen::Vector2d min_corner() const { return grid_.first_center; }

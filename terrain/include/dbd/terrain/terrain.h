@@ -69,6 +69,7 @@ class Terrain final : public Ground {
   void HighestWithin(double radius, int count, const double* x, const double* y,
                      double* z) const override;
   bool IsKnown(double x, double y) const override;
+  std::optional<GroundGrid> Grid() const override;
 
   const LocalFrame& frame() const { return frame_; }
   const HeightMap& heights() const { return heights_; }

@@ -1,0 +1,56 @@
+#include "engine_model.h"
+
+#include <cmath>
+#include <numeric>
+
+namespace dbd {
+namespace {
+
+double CouplingTorque(const DifferentialModel& differential) {
+  constexpr double kLockedTorque = 1e6;  // [N m] more than any axle carries
+  switch (differential.type) {
+    case DifferentialType::kOpen:
+      return 0;
+    case DifferentialType::kLimitedSlip:
+      return differential.bias_torque;
+    case DifferentialType::kLocked:
+      return kLockedTorque;
+  }
+  return 0;
+}
+
+/// Wheels on one body share its inertia.
+double CarrierInertia(const VehicleModel& model, int body) {
+  int wheels = 0;
+  for (const WheelModel& wheel : model.wheels) wheels += wheel.body == body;
+  return model.bodies[body].inertia.y() / wheels;
+}
+
+}  // namespace
+
+EngineModel::EngineModel(const VehicleModel& vehicle_model)
+    : vehicle(&vehicle_model),
+      attachments(vehicle_model),
+      centre_coupling(CouplingTorque(vehicle_model.powertrain.centre)),
+      step(vehicle_model.steps.construction) {
+  for (const WheelModel& wheel : vehicle->wheels) {
+    patterns.push_back(MakeTirePattern(wheel.tire));
+    carrier_inertia.push_back(CarrierInertia(vehicle_model, wheel.body));
+  }
+  for (const AxleModel& axle : vehicle->axles) {
+    axle_coupling.push_back(CouplingTorque(axle.differential));
+  }
+  const auto every = [this](double group) { return static_cast<int>(std::lround(group / step)); };
+  spring_every = every(vehicle->steps.spring);
+  tire_every = every(vehicle->steps.tire);
+  control_every = every(vehicle->steps.control);
+  period = std::lcm(std::lcm(spring_every, tire_every), control_every);
+}
+
+EngineModel::~EngineModel() = default;
+
+std::int64_t EngineModel::SettlingSteps(double time) const {
+  return period * static_cast<std::int64_t>(std::ceil(time / (period * step) - 1e-9));
+}
+
+}  // namespace dbd

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <dbd/core/units.h>
+#include <dbd/core/vehicle_model.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "attachment_points.h"
+#include "tire_pattern.h"
+
+namespace dbd {
+
+/// A stiff link stretched by more than this has torn a body off [m].
+inline constexpr double kTornLink = 0.2;
+
+/// What is constant for one vehicle and one choice of steps.
+struct EngineModel {
+  /// `vehicle_model` must outlive it.
+  explicit EngineModel(const VehicleModel& vehicle_model);
+  ~EngineModel();  // in a translation unit for any processor
+
+  const VehicleModel* vehicle;
+  AttachmentPoints attachments;
+  std::vector<TirePattern> patterns;    ///< like vehicle->wheels
+  std::vector<double> carrier_inertia;  ///< about the spin axis, of each wheel's share of its body
+  std::vector<double> axle_coupling;    ///< like vehicle->axles: differential's most [N m]
+  double centre_coupling = 0;           ///< of the differential between axles [N m]
+  double gravity = kGravity;
+  double step;
+  int spring_every = 1;  ///< construction steps per update of the group
+  int tire_every = 1;
+  int control_every = 1;
+  int period = 1;  ///< steps after which all groups begin together again
+
+  /// Steps of settling for at least `time` [s], in whole periods.
+  std::int64_t SettlingSteps(double time) const;
+};
+
+}  // namespace dbd

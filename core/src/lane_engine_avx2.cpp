@@ -1,0 +1,18 @@
+#include "lane_engine_includes.h"
+
+#ifdef DBD_WIDE_LANES
+#pragma GCC push_options
+#pragma GCC target("avx2")
+#include "lane_engine_pack.h"
+
+namespace dbd {
+
+std::unique_ptr<LaneEngine> MakeAvx2Lanes(bool doubles, const VehicleModel& vehicle,
+                                          const Ground& ground) {
+  if (doubles) return std::make_unique<PackEngine<Pack<double, 4>>>(vehicle, ground);
+  return std::make_unique<PackEngine<Pack<float, 8>>>(vehicle, ground);
+}
+
+}  // namespace dbd
+#pragma GCC pop_options
+#endif

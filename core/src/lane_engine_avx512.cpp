@@ -1,0 +1,18 @@
+#include "lane_engine_includes.h"
+
+#ifdef DBD_WIDE_LANES
+#pragma GCC push_options
+#pragma GCC target("avx512f,avx512vl,avx512dq,avx512bw")
+#include "lane_engine_pack.h"
+
+namespace dbd {
+
+std::unique_ptr<LaneEngine> MakeAvx512Lanes(bool doubles, const VehicleModel& vehicle,
+                                            const Ground& ground) {
+  if (doubles) return std::make_unique<PackEngine<Pack<double, 8>>>(vehicle, ground);
+  return std::make_unique<PackEngine<Pack<float, 16>>>(vehicle, ground);
+}
+
+}  // namespace dbd
+#pragma GCC pop_options
+#endif

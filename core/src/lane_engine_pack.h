@@ -1,0 +1,165 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "engine.h"
+#include "flatten.h"
+#include "initial_state.h"
+#include "lane_engine.h"
+#include "lane_state.h"
+#include "lane_surface.h"
+
+namespace dbd {
+
+/// The engine on packs of numbers. Every lane has its own origin near its vehicle, moved on as the
+/// vehicle moves, by whole multiples of 8 m: subtracting those is exact.
+template <class Real>
+class PackEngine final : public LaneEngine {
+ public:
+  static constexpr int kLanes = LaneTraits<Real>::kLanes;
+  using S = ScalarOf<Real>;
+
+  PackEngine(const VehicleModel& vehicle, const Ground& ground)
+      : model_(vehicle), surface_(ground), work_(vehicle) {
+    state_.bodies.resize(vehicle.bodies.size());
+    state_.wheels.resize(vehicle.wheels.size());
+    state_.contacts.resize(vehicle.contacts.size());
+    state_.frictions.assign(vehicle.frictions.size(), Real(S(0)));
+  }
+
+  int lanes() const override { return kLanes; }
+
+  void SetLane(int lane, const EngineState<double>& state) override {
+    const Vec3<double> p = state.bodies[0].p_WB;
+    const Eigen::Vector3d origin =
+        kShift * (Eigen::Vector3d(p.x, p.y, p.z) / kShift).array().round().matrix();
+    surface_.SetOrigin(lane, origin);
+    const auto local = [&](Vec3<double>& q) {
+      q.x -= origin.x(), q.y -= origin.y(), q.z -= origin.z();
+    };
+    for (std::size_t i = 0; i < state.bodies.size(); ++i) {
+      BodyState<double> body = state.bodies[i];
+      local(body.p_WB);
+      SetLaneOf(state_.bodies[i], lane, body);
+    }
+    for (std::size_t i = 0; i < state.wheels.size(); ++i) {
+      WheelState<double> wheel = state.wheels[i];
+      local(wheel.contact.p_WH);
+      SetLaneOf(state_.wheels[i], lane, wheel);
+    }
+    for (std::size_t i = 0; i < state.contacts.size(); ++i) {
+      PointContactState<double> contact = state.contacts[i];
+      local(contact.p_WG);
+      SetLaneOf(state_.contacts[i], lane, contact);
+    }
+    for (std::size_t i = 0; i < state.frictions.size(); ++i) {
+      state_.frictions[i].v[lane] = static_cast<S>(state.frictions[i]);
+    }
+  }
+
+  void Advance(const LaneOrders* orders) override {
+    MoveOrigins();
+    TakeOrders(orders);
+    drive_work_ = Real(S(0));
+    for (int i = 0; i < model_.control_every; ++i) Step();
+  }
+
+  BodyState<double> Body(int lane, int body) const override {
+    BodyState<double> b = LaneOf(state_.bodies[static_cast<std::size_t>(body)], lane);
+    ToWorld(lane, b.p_WB);
+    return b;
+  }
+  WheelState<double> Wheel(int lane, int wheel) const override {
+    WheelState<double> w = LaneOf(state_.wheels[static_cast<std::size_t>(wheel)], lane);
+    ToWorld(lane, w.contact.p_WH);
+    return w;
+  }
+  TireReport<double> Tire(int lane, int wheel) const override {
+    return LaneOf(work_.tires[static_cast<std::size_t>(wheel)], lane);
+  }
+  double SpringForce(int lane, int spring) const override {
+    return work_.spring_force[static_cast<std::size_t>(spring)].v[lane];
+  }
+  double LinkForce(int lane, int link) const override {
+    return work_.link_force[static_cast<std::size_t>(link)].v[lane];
+  }
+  double DriveWork(int lane) const override { return drive_work_.v[lane] * model_.step; }
+
+  double Spin(int lane, int wheel) const override {
+    return state_.wheels[static_cast<std::size_t>(wheel)].spin.v[lane];
+  }
+
+  bool IsSane(int lane) const override {
+    S sum = 0;
+    for (const BodyState<Real>& b : state_.bodies) {
+      sum += b.p_WB.x.v[lane] + b.p_WB.y.v[lane] + b.p_WB.z.v[lane] + b.v_WB.x.v[lane] +
+             b.v_WB.y.v[lane] + b.v_WB.z.v[lane] + b.q_WB.w.v[lane] + b.w_WB.x.v[lane];
+    }
+    bool sane = std::isfinite(sum);
+    for (std::size_t i = 0; i < work_.link_force.size(); ++i) {
+      const double most = kTornLink * model_.vehicle->links[i].stiffness;
+      sane = sane && std::abs(work_.link_force[i].v[lane]) < most;
+    }
+    return sane;
+  }
+
+ private:
+  static constexpr double kShift = 8;  // [m]
+
+  void ToWorld(int lane, Vec3<double>& p) const {
+    const Eigen::Vector3d& origin = surface_.origin(lane);
+    p.x += origin.x(), p.y += origin.y(), p.z += origin.z();
+  }
+
+  /// Flattened, as the step of one vehicle is.
+  DBD_FLATTEN void Step() {
+    StepEngine(model_, surface_, controls_, state_, work_);
+    for (const TireReport<Real>& tire : work_.tires) {
+      drive_work_ += Max(tire.drive_power, Real(S(0)));
+    }
+    if (damped_) DampMotion(keep_, state_);
+  }
+
+  void TakeOrders(const LaneOrders* orders) {
+    damped_ = false;
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const LaneOrders& order = orders[lane];
+      for (std::size_t i = 0; i < state_.wheels.size(); ++i) {
+        controls_.steer_sine[i].v[lane] = static_cast<S>(order.controls.steer_sine[i]);
+        controls_.drive_torque[i].v[lane] = static_cast<S>(order.controls.drive_torque[i]);
+        controls_.brake_torque[i].v[lane] = static_cast<S>(order.controls.brake_torque[i]);
+      }
+      keep_.v[lane] = static_cast<S>(order.keep);
+      damped_ = damped_ || order.keep != 1;
+    }
+  }
+
+  void MoveOrigins() {
+    const Vec3<Real>& p = state_.bodies[0].p_WB;
+    const Real shift{S(kShift)};
+    if (!AnyOf(Abs(p.x) > shift) && !AnyOf(Abs(p.y) > shift) && !AnyOf(Abs(p.z) > shift)) return;
+    const auto of = [&](const Real& x) {
+      return Select(x > shift, shift, Select(x < Real(S(-kShift)), Real(S(-kShift)), Real(S(0))));
+    };
+    const Vec3<Real> move{of(p.x), of(p.y), of(p.z)};
+    for (BodyState<Real>& body : state_.bodies) body.p_WB -= move;
+    for (WheelState<Real>& wheel : state_.wheels) wheel.contact.p_WH -= move;
+    for (PointContactState<Real>& contact : state_.contacts) contact.p_WG -= move;
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const Eigen::Vector3d by(move.x.v[lane], move.y.v[lane], move.z.v[lane]);
+      if (!by.isZero()) surface_.SetOrigin(lane, surface_.origin(lane) + by);
+    }
+  }
+
+  EngineModel model_;
+  LaneSurface<Real> surface_;
+  EngineState<Real> state_;
+  Workspace<Real> work_;
+  WheelControls<Real> controls_{};
+  Real keep_{S(1)};
+  Real drive_work_{S(0)};  // [J] per step length
+  bool damped_ = false;
+};
+
+}  // namespace dbd

@@ -1,0 +1,11 @@
+#include "lane_engine_pack.h"
+
+namespace dbd {
+
+std::unique_ptr<LaneEngine> MakePortableLanes(bool doubles, const VehicleModel& vehicle,
+                                              const Ground& ground) {
+  if (doubles) return std::make_unique<PackEngine<Pack<double, 2>>>(vehicle, ground);
+  return std::make_unique<PackEngine<Pack<float, 4>>>(vehicle, ground);
+}
+
+}  // namespace dbd

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <dbd/core/ground_grid.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <type_traits>
+
+#include "corner_columns.h"
+#include "pack.h"
+
+namespace dbd {
+
+/// Height look-ups of a pack of places in a grid, each in its lane's own coordinates: whole cells
+/// from the grid's corner to the lane's origin are integers, so that only the way from there is
+/// rounded.
+template <class Real>
+class LaneGrid {
+ public:
+  static constexpr int kLanes = LaneTraits<Real>::kLanes;
+  using S = ScalarOf<Real>;
+  using Integers = typename Real::Integers;
+
+  void SetOrigin(const GroundGrid& grid, int lane, const Eigen::Vector3d& origin) {
+    SetAxis(origin.x() - grid.x0, grid.cell_x, grid.columns, lane, x_);
+    SetAxis(origin.y() - grid.y0, grid.cell_y, grid.rows, lane, y_);
+    corner_[lane] = y_.first[lane] * static_cast<LaneInteger<S>>(grid.columns) + x_.first[lane];
+    base_height_.v[lane] = static_cast<S>(grid.base_height - origin.z());
+  }
+
+  Real Height(const GroundGrid& grid, const Real& x, const Real& y) const {
+    const Cell east = Locate(x_, x), north = Locate(y_, y);
+    const Integers index = north.whole * static_cast<LaneInteger<S>>(grid.columns) + east.whole;
+    const Corners c = ReadCorners(grid.row_pairs, index + corner_);
+    const Real south_z = c.south_west + east.part * (c.south_east - c.south_west);
+    const Real north_z = c.north_west + east.part * (c.north_east - c.north_west);
+    return base_height_ + (south_z + north.part * (north_z - south_z));
+  }
+
+  Real HighestNearby(const GroundGrid& grid, const Real& x, const Real& y) const {
+    const Integers index =
+        TileOf(grid, y_, y) * static_cast<LaneInteger<S>>(grid.tile_columns) + TileOf(grid, x_, x);
+    S highest[kLanes];
+    for (int i = 0; i < kLanes; ++i) {
+      highest[i] = static_cast<S>(grid.highest_nearby[index[i]]);
+    }
+    return base_height_ + LaneTraits<Real>::Load(highest);
+  }
+
+ private:
+  /// One axis of the grid seen from the lanes' origins, in cells.
+  struct Axis {
+    Integers first{};   // a cell before the origin, by more than a vehicle goes from there
+    Real offset{S(0)};  // from there to the origin
+    Real most{S(0)};    // of the grid's far end
+    Real per_metre{S(1)};
+  };
+  struct Cell {
+    Integers whole;  // from `first`
+    Real part;
+  };
+  struct Corners {
+    Real south_west, north_west, south_east, north_east;
+  };
+
+  static void SetAxis(double from_corner, double cell, int count, int lane, Axis& axis) {
+    constexpr double kReach = 16;  // [m] from a lane's origin
+    const double place = from_corner / cell;
+    const double first =
+        std::clamp(std::floor(place - kReach / cell), 0.0, std::max(0.0, count - 2.0));
+    axis.first[lane] = static_cast<LaneInteger<S>>(first);
+    axis.offset.v[lane] = static_cast<S>(place - first);
+    // Just below the last row of cells, so that whole numbers stay inside the grid.
+    axis.most.v[lane] = std::nextafter(static_cast<S>(count - 1 - first), S(0));
+    axis.per_metre.v[lane] = static_cast<S>(1 / cell);
+  }
+
+  static Cell Locate(const Axis& axis, const Real& x) {
+    const Real u = Min(Max(x * axis.per_metre + axis.offset, Real(S(0))), axis.most);
+    const Integers whole = __builtin_convertvector(u.v, Integers);
+    return {whole, u - Real(__builtin_convertvector(whole, typename Real::Vector))};
+  }
+
+  /// Whole tiles before the cell: a product with the reciprocal, half a cell away from the edges
+  /// where it could round wrongly (vectors have no division of integers).
+  static Integers TileOf(const GroundGrid& grid, const Axis& axis, const Real& x) {
+    const auto cell =
+        __builtin_convertvector(Locate(axis, x).whole + axis.first, typename Real::Vector);
+    return __builtin_convertvector((cell + S(0.5)) * S(1.0 / grid.tile_cells), Integers);
+  }
+
+  static Corners ReadCorners(const float* pairs, const Integers& index) {
+    if constexpr (std::is_same_v<S, float>) {
+      const CornerColumns<kLanes> columns = ReadCornerColumns<kLanes>(pairs, index);
+      return {Real(columns[0]), Real(columns[1]), Real(columns[2]), Real(columns[3])};
+    } else {
+      Corners c;
+      for (int i = 0; i < kLanes; ++i) {
+        const float* corner = pairs + 2 * static_cast<std::int64_t>(index[i]);
+        c.south_west.v[i] = corner[0];
+        c.north_west.v[i] = corner[1];
+        c.south_east.v[i] = corner[2];
+        c.north_east.v[i] = corner[3];
+      }
+      return c;
+    }
+  }
+
+  Axis x_, y_;
+  Integers corner_{};  // index of the cell at both axes' `first`
+  Real base_height_{S(0)};
+};
+
+}  // namespace dbd

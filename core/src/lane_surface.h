@@ -1,0 +1,88 @@
+#pragma once
+
+#include <dbd/core/ground.h>
+
+#include <array>
+
+#include "lane_grid.h"
+
+namespace dbd {
+
+/// The ground under a pack of vehicles, each in coordinates of its own: the world's, less the
+/// lane's origin, so that a float is exact to a micrometre anywhere on the map.
+template <class Real>
+class LaneSurface {
+ public:
+  static constexpr int kLanes = LaneTraits<Real>::kLanes;
+  using S = ScalarOf<Real>;
+
+  explicit LaneSurface(const Ground& ground) : ground_(ground), grid_(ground.Grid()) {
+    origins_.fill(Eigen::Vector3d::Zero());
+    for (int lane = 0; lane < kLanes; ++lane) SetOrigin(lane, Eigen::Vector3d::Zero());
+  }
+
+  const Eigen::Vector3d& origin(int lane) const { return origins_[lane]; }
+  void SetOrigin(int lane, const Eigen::Vector3d& origin) {
+    origins_[lane] = origin;
+    if (grid_) lane_grid_.SetOrigin(*grid_, lane, origin);
+  }
+
+  void Heights(int count, const Real* x, const Real* y, Real* z) const {
+    if (grid_) {
+      for (int i = 0; i < count; ++i) z[i] = lane_grid_.Height(*grid_, x[i], y[i]);
+      return;
+    }
+    for (int i = 0; i < count; ++i) {
+      z[i] = AskGround(x[i], y[i], [this](const double* wx, const double* wy, double* wz) {
+        ground_.Heights(kLanes, wx, wy, wz);
+      });
+    }
+  }
+
+  void HighestWithin(double radius, int count, const Real* x, const Real* y, Real* z) const {
+    const bool one_read = grid_ && radius <= grid_->tile_width;
+    for (int i = 0; i < count; ++i) {
+      z[i] = one_read ? lane_grid_.HighestNearby(*grid_, x[i], y[i])
+                      : AskGround(x[i], y[i], [&](const double* wx, const double* wy, double* wz) {
+                          ground_.HighestWithin(radius, kLanes, wx, wy, wz);
+                        });
+    }
+  }
+
+  /// kLanes soils for each of `count` packs of places.
+  void Soils(int count, const Real* x, const Real* y, SoilSample* soil) const {
+    for (int i = 0; i < count; ++i) {
+      double wx[kLanes], wy[kLanes];
+      ToWorld(x[i], y[i], wx, wy);
+      ground_.Soils(kLanes, wx, wy, soil + i * kLanes);
+    }
+  }
+
+ private:
+  void ToWorld(const Real& x, const Real& y, double* wx, double* wy) const {
+    S lx[kLanes], ly[kLanes];
+    LaneTraits<Real>::Store(x, lx);
+    LaneTraits<Real>::Store(y, ly);
+    for (int i = 0; i < kLanes; ++i) {
+      wx[i] = origins_[i].x() + static_cast<double>(lx[i]);
+      wy[i] = origins_[i].y() + static_cast<double>(ly[i]);
+    }
+  }
+
+  template <class Query>
+  Real AskGround(const Real& x, const Real& y, const Query& query) const {
+    double wx[kLanes], wy[kLanes], wz[kLanes];
+    ToWorld(x, y, wx, wy);
+    query(wx, wy, wz);
+    S lz[kLanes];
+    for (int i = 0; i < kLanes; ++i) lz[i] = static_cast<S>(wz[i] - origins_[i].z());
+    return LaneTraits<Real>::Load(lz);
+  }
+
+  const Ground& ground_;
+  std::optional<GroundGrid> grid_;
+  std::array<Eigen::Vector3d, kLanes> origins_;
+  LaneGrid<Real> lane_grid_;
+};
+
+}  // namespace dbd

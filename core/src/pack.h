@@ -1,0 +1,216 @@
+#pragma once
+
+#ifdef __x86_64__
+#include <immintrin.h>
+#endif
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#include "scalar.h"
+
+namespace dbd {
+
+// Packs of numbers for the engine's templates, on the compiler's vector types: one source for every
+// instruction set, and every lane goes through the same operations whatever the width. With
+// contraction to fused multiply-adds off (see cmake/dbd_target.cmake), a vehicle therefore drives
+// bit by bit the same in packs of 4, 8 or 16.
+
+/// The integer as wide as a number.
+template <class T>
+using LaneInteger = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
+
+// The alignment is written out: the compiler's own for wide vectors depends on the instruction set.
+template <class T, int N>
+struct alignas(N * sizeof(T)) PackMask {
+  typedef LaneInteger<T> Vector __attribute__((vector_size(N * sizeof(T))));
+  Vector v;  // all bits set where true
+};
+
+template <class T, int N>
+struct alignas(N * sizeof(T)) Pack {
+  typedef T Vector __attribute__((vector_size(N * sizeof(T))));
+  typedef LaneInteger<T> Integers __attribute__((vector_size(N * sizeof(T))));
+
+  Pack() = default;
+  explicit Pack(T all) : v(all - Vector{}) {}
+  explicit Pack(const Vector& lanes) : v(lanes) {}
+
+  Pack& operator+=(const Pack& b) {
+    v += b.v;
+    return *this;
+  }
+  Pack& operator-=(const Pack& b) {
+    v -= b.v;
+    return *this;
+  }
+
+  Vector v;
+};
+
+template <class T, int N>
+struct LaneTraits<Pack<T, N>> {
+  using Scalar = T;
+  static constexpr int kLanes = N;
+  static Pack<T, N> Load(const T* values) {
+    Pack<T, N> pack;
+    std::memcpy(&pack.v, values, sizeof(pack.v));
+    return pack;
+  }
+  static void Store(const Pack<T, N>& pack, T* values) {
+    std::memcpy(values, &pack.v, sizeof(pack.v));
+  }
+};
+
+template <class T, int N>
+Pack<T, N> operator+(const Pack<T, N>& a, const Pack<T, N>& b) {
+  return Pack<T, N>(a.v + b.v);
+}
+template <class T, int N>
+Pack<T, N> operator-(const Pack<T, N>& a, const Pack<T, N>& b) {
+  return Pack<T, N>(a.v - b.v);
+}
+template <class T, int N>
+Pack<T, N> operator*(const Pack<T, N>& a, const Pack<T, N>& b) {
+  return Pack<T, N>(a.v * b.v);
+}
+template <class T, int N>
+Pack<T, N> operator/(const Pack<T, N>& a, const Pack<T, N>& b) {
+  return Pack<T, N>(a.v / b.v);
+}
+template <class T, int N>
+PackMask<T, N> operator<(const Pack<T, N>& a, const Pack<T, N>& b) {
+  return {a.v < b.v};
+}
+template <class T, int N>
+PackMask<T, N> operator>(const Pack<T, N>& a, const Pack<T, N>& b) {
+  return {a.v > b.v};
+}
+
+template <class T, int N>
+Pack<T, N> Select(const PackMask<T, N>& mask, const Pack<T, N>& yes, const Pack<T, N>& no) {
+  return Pack<T, N>(mask.v ? yes.v : no.v);
+}
+template <class T, int N>
+Pack<T, N> Min(const Pack<T, N>& a, const Pack<T, N>& b) {
+  return Pack<T, N>(a.v < b.v ? a.v : b.v);
+}
+template <class T, int N>
+Pack<T, N> Max(const Pack<T, N>& a, const Pack<T, N>& b) {
+  return Pack<T, N>(a.v < b.v ? b.v : a.v);
+}
+template <class T, int N>
+Pack<T, N> Abs(const Pack<T, N>& a) {
+  return Pack<T, N>(a.v < 0 ? -a.v : a.v);
+}
+template <class T, int N>
+Pack<T, N> Sqrt(const Pack<T, N>& a) {
+  Pack<T, N> root;
+  for (int i = 0; i < N; ++i) root.v[i] = std::sqrt(a.v[i]);
+  return root;
+}
+template <class T, int N>
+bool AnyOf(const PackMask<T, N>& mask) {
+  constexpr std::size_t kBytes = N * sizeof(T);
+#ifdef __AVX512F__
+  if constexpr (kBytes == 64) {
+    const auto bits = __builtin_bit_cast(__m512i, mask.v);
+    return _mm512_test_epi32_mask(bits, bits) != 0;
+  }
+#endif
+#ifdef __AVX__
+  if constexpr (kBytes == 32) {
+    const auto bits = __builtin_bit_cast(__m256i, mask.v);
+    return _mm256_testz_si256(bits, bits) == 0;
+  }
+#endif
+  std::int64_t parts[kBytes / sizeof(std::int64_t)];
+  std::memcpy(parts, &mask.v, kBytes);
+  std::int64_t any = 0;
+  for (const std::int64_t part : parts) any |= part;
+  return any != 0;
+}
+template <class T, int N>
+T LeastLane(const Pack<T, N>& a) {
+  T least = a.v[0];
+  for (int i = 1; i < N; ++i) least = a.v[i] < least ? a.v[i] : least;
+  return least;
+}
+template <class T, int N>
+T GreatestLane(const Pack<T, N>& a) {
+  T greatest = a.v[0];
+  for (int i = 1; i < N; ++i) greatest = a.v[i] > greatest ? a.v[i] : greatest;
+  return greatest;
+}
+
+namespace pack_detail {
+
+template <class T>
+inline constexpr int kMantissaBits = sizeof(T) == 4 ? 23 : 52;
+template <class T>
+inline constexpr int kExponentBias = sizeof(T) == 4 ? 127 : 1023;
+
+/// ln 2 in two parts: the first has so few bits that its product with a whole number is exact.
+template <class T>
+inline constexpr T kLog2High = sizeof(T) == 4 ? T(0.693359375) : T(6.93147180369123816490e-01);
+template <class T>
+inline constexpr T kLog2Low = sizeof(T) == 4 ? T(-2.12194440e-4) : T(1.90821492927058770002e-10);
+
+/// 1/k! for k = 2 ..., as many as |r| <= ln 2 / 2 needs for round-off.
+template <class T>
+inline constexpr int kExpTerms = sizeof(T) == 4 ? 6 : 12;
+
+template <class T>
+constexpr T InverseFactorial(int k) {
+  double product = 1;
+  for (int i = 2; i <= k; ++i) product *= i;
+  return static_cast<T>(1 / product);
+}
+
+}  // namespace pack_detail
+
+/// e^a = 2^n e^r with n whole and |r| <= ln 2 / 2, e^r by its series. Below the smallest normal
+/// number the result stays at about that; the engine's arguments are 0 or negative.
+template <class T, int N>
+Pack<T, N> Exp(const Pack<T, N>& a) {
+  using P = Pack<T, N>;
+  using namespace pack_detail;
+  const T most = sizeof(T) == 4 ? T(87) : T(708);
+  const P x = Min(Max(a, P(-most)), P(most));
+  // Adding 1.5 2^bits rounds to a whole number, which then stands in the low bits.
+  const T magic = T(3ll << (kMantissaBits<T> - 1));
+  const P shifted = x * P(T(1.4426950408889634)) + P(magic);
+  const P n = shifted - P(magic);
+  const P r = (x - n * P(kLog2High<T>)) - n * P(kLog2Low<T>);
+  P series = P(InverseFactorial<T>(kExpTerms<T>));
+  for (int k = kExpTerms<T> - 1; k >= 2; --k) series = series * r + P(InverseFactorial<T>(k));
+  const P value = P(T(1)) + (r + r * r * series);
+  const auto whole = __builtin_bit_cast(typename P::Integers, shifted.v) -
+                     __builtin_bit_cast(LaneInteger<T>, magic);
+  const auto power = (whole + kExponentBias<T>) << kMantissaBits<T>;
+  return value * P(__builtin_bit_cast(typename P::Vector, power));
+}
+
+/// For a >= 0: a third of the exponent as a first guess, then Halley's rule, which triples the
+/// number of right digits each time.
+template <class T, int N>
+Pack<T, N> Cbrt(const Pack<T, N>& a) {
+  using P = Pack<T, N>;
+  using namespace pack_detail;
+  constexpr LaneInteger<T> kOffset = (LaneInteger<T>(kExponentBias<T>) << kMantissaBits<T>) / 3 * 2;
+  // Thirds by a product in the number's own arithmetic: whole vectors have no division.
+  const auto bits = __builtin_bit_cast(typename P::Integers, a.v);
+  const auto third = __builtin_convertvector(
+      __builtin_convertvector(bits, typename P::Vector) * T(1.0 / 3), typename P::Integers);
+  P x(__builtin_bit_cast(typename P::Vector, third + kOffset));
+  for (int i = 0; i < (sizeof(T) == 4 ? 2 : 3); ++i) {
+    const P cube = x * x * x;
+    x = x * ((cube + a + a) / (cube + cube + a));
+  }
+  const P least(T(1e-30));
+  return Select(a > least, x, P(T(0)));
+}
+
+}  // namespace dbd

@@ -1,0 +1,204 @@
+#include <dbd/core/error.h>
+#include <dbd/core/simulation_lanes.h>
+
+#include <cmath>
+
+#include "control_unit.h"
+#include "initial_state.h"
+#include "lane_engine.h"
+#include "state_hash.h"
+#include "vehicle_views.h"
+
+namespace dbd {
+namespace {
+
+/// What belongs to one lane beside the engine's numbers.
+struct Lane {
+  explicit Lane(const VehicleModel& vehicle) : control_unit(vehicle) {}
+
+  enum class Phase { kEmpty, kWaiting, kSettling, kDriving };
+  Phase phase = Phase::kEmpty;
+  EngineState<double> start;        // while waiting
+  std::int64_t settling_steps = 0;  // still to come
+  std::int64_t steps = 0;           // driven
+  double energy = 0;
+  Vec3<double> last_v_WB{};  // of the chassis, one control step ago
+  ControlUnit control_unit;
+};
+
+EngineState<double> DesignState(const VehicleModel& vehicle) {
+  EngineState<double> state;
+  for (const BodyModel& body : vehicle.bodies) {
+    BodyState<double> b{};
+    b.p_WB = Broadcast<double>(body.p_RB);
+    b.q_WB.w = 1;
+    state.bodies.push_back(b);
+  }
+  state.wheels.assign(vehicle.wheels.size(), {});
+  state.contacts.assign(vehicle.contacts.size(), {});
+  state.frictions.assign(vehicle.frictions.size(), 0);
+  return state;
+}
+
+}  // namespace
+
+struct SimulationLanes::Impl {
+  Impl(const VehicleModel& model, const Ground& surface, LaneKind kind)
+      : vehicle(model),
+        ground(surface),
+        times(model),
+        engine(MakeLaneEngine(kind, model, surface)) {
+    if (!engine) throw InputError("this processor has no lanes of " + LaneKindName(kind));
+    lanes.assign(static_cast<std::size_t>(engine->lanes()), Lane(model));
+    orders.resize(lanes.size());
+    for (int i = 0; i < engine->lanes(); ++i) engine->SetLane(i, DesignState(model));
+  }
+
+  const Lane& At(int lane) const { return lanes[static_cast<std::size_t>(lane)]; }
+
+  void GiveOrders(int index, const DriverCommand& command);
+  void Account(int index);
+
+  const VehicleModel& vehicle;
+  const Ground& ground;
+  EngineModel times;  // steps and their groups
+  std::unique_ptr<LaneEngine> engine;
+  std::vector<Lane> lanes;
+  std::vector<LaneOrders> orders;
+  std::int64_t step = 0;
+};
+
+SimulationLanes::SimulationLanes(const VehicleModel& vehicle, const Ground& ground, LaneKind kind)
+    : impl_(std::make_unique<Impl>(vehicle, ground, kind)) {}
+SimulationLanes::~SimulationLanes() = default;
+SimulationLanes::SimulationLanes(SimulationLanes&&) noexcept = default;
+
+int SimulationLanes::lanes() const { return impl_->engine->lanes(); }
+double SimulationLanes::control_step() const {
+  return impl_->times.step * impl_->times.control_every;
+}
+
+/// The vehicle waits until all groups of forces begin together, as they do for one alone.
+void SimulationLanes::Place(int index, const Eigen::Vector2d& position, double heading,
+                            double settle_time) {
+  Lane& lane = impl_->lanes[static_cast<std::size_t>(index)];
+  lane = Lane(impl_->vehicle);
+  lane.phase = Lane::Phase::kWaiting;
+  lane.start = InitialState<double>(impl_->vehicle, impl_->ground, position, heading);
+  lane.settling_steps = impl_->times.SettlingSteps(settle_time);
+}
+
+void SimulationLanes::Park(int index) {
+  impl_->lanes[static_cast<std::size_t>(index)].phase = Lane::Phase::kEmpty;
+}
+
+bool SimulationLanes::driving(int lane) const {
+  return impl_->At(lane).phase == Lane::Phase::kDriving;
+}
+
+/// Empty and waiting lanes are kept from moving, settling ones are damped.
+void SimulationLanes::Impl::GiveOrders(int index, const DriverCommand& command) {
+  Lane& lane = lanes[static_cast<std::size_t>(index)];
+  LaneOrders& order = orders[static_cast<std::size_t>(index)];
+  if (lane.phase == Lane::Phase::kWaiting && step % times.period == 0) {
+    engine->SetLane(index, lane.start);
+    lane.phase = lane.settling_steps > 0 ? Lane::Phase::kSettling : Lane::Phase::kDriving;
+  }
+  if (lane.phase != Lane::Phase::kDriving) {
+    order.controls = lane.control_unit.HeldByBrakes();
+    order.keep = lane.phase == Lane::Phase::kSettling ? 1 - kSettlingRate * times.step : 0;
+    return;
+  }
+  std::array<double, kMaxWheels> spins{};
+  for (std::size_t i = 0; i < vehicle.wheels.size(); ++i) {
+    spins[i] = engine->Spin(index, static_cast<int>(i));
+  }
+  order.keep = 1;
+  lane.last_v_WB = engine->Body(index, 0).v_WB;
+  lane.control_unit.Update(command, spins.data(), times.step * times.control_every, order.controls);
+}
+
+void SimulationLanes::Impl::Account(int index) {
+  Lane& lane = lanes[static_cast<std::size_t>(index)];
+  if (lane.phase == Lane::Phase::kDriving) {
+    lane.steps += times.control_every;
+    lane.energy += engine->DriveWork(index);
+  }
+  if (lane.phase == Lane::Phase::kSettling) {
+    lane.settling_steps -= times.control_every;
+    if (lane.settling_steps <= 0) {
+      lane.phase = Lane::Phase::kDriving;
+      lane.last_v_WB = engine->Body(index, 0).v_WB;
+    }
+  }
+}
+
+void SimulationLanes::Advance(const std::vector<DriverCommand>& commands) {
+  Impl& s = *impl_;
+  DBD_ASSERT(commands.size() == s.lanes.size());
+  for (int i = 0; i < lanes(); ++i) s.GiveOrders(i, commands[static_cast<std::size_t>(i)]);
+  s.engine->Advance(s.orders.data());
+  s.step += s.times.control_every;
+  for (int i = 0; i < lanes(); ++i) s.Account(i);
+}
+
+double SimulationLanes::time(int lane) const {
+  const Lane& l = impl_->At(lane);
+  return static_cast<double>(l.steps - l.settling_steps) * impl_->times.step;
+}
+
+ChassisView SimulationLanes::Chassis(int lane) const {
+  return ViewOfChassis(impl_->engine->Body(lane, 0));
+}
+
+WheelView SimulationLanes::Wheel(int lane, int index) const {
+  const WheelModel& wheel = impl_->vehicle.wheels[static_cast<std::size_t>(index)];
+  return ViewOfWheel(wheel, impl_->engine->Body(lane, wheel.body),
+                     impl_->engine->Wheel(lane, index), impl_->engine->Tire(lane, index));
+}
+
+DriverView SimulationLanes::ViewForDriver(int lane) const {
+  return ViewOfDriver(impl_->vehicle, impl_->engine->Body(lane, 0));
+}
+
+double SimulationLanes::VerticalAcceleration(int lane) const {
+  const BodyState<double> body = impl_->engine->Body(lane, 0);
+  return Dot(body.v_WB - impl_->At(lane).last_v_WB, RotationMatrix(body.q_WB).z) / control_step();
+}
+
+const PowertrainState& SimulationLanes::powertrain(int lane) const {
+  return impl_->At(lane).control_unit.powertrain();
+}
+double SimulationLanes::SpringForce(int lane, int index) const {
+  return impl_->engine->SpringForce(lane, index);
+}
+double SimulationLanes::LinkForce(int lane, int index) const {
+  return impl_->engine->LinkForce(lane, index);
+}
+double SimulationLanes::drive_energy(int lane) const { return impl_->At(lane).energy; }
+
+bool SimulationLanes::IsSane(int lane) const { return impl_->engine->IsSane(lane); }
+
+void SimulationLanes::Observe(int lane, VehicleSnapshot& snapshot) const {
+  snapshot.time = time(lane);
+  snapshot.chassis = Chassis(lane);
+  snapshot.path_point = ViewForDriver(lane).position;
+  snapshot.wheels.resize(impl_->vehicle.wheels.size());
+  for (std::size_t i = 0; i < snapshot.wheels.size(); ++i) {
+    snapshot.wheels[i] = Wheel(lane, static_cast<int>(i));
+  }
+}
+
+std::uint64_t SimulationLanes::StateHash(int lane) const {
+  StateHasher hasher;
+  for (std::size_t i = 0; i < impl_->vehicle.bodies.size(); ++i) {
+    hasher.Add(impl_->engine->Body(lane, static_cast<int>(i)));
+  }
+  for (std::size_t i = 0; i < impl_->vehicle.wheels.size(); ++i) {
+    hasher.Add(impl_->engine->Wheel(lane, static_cast<int>(i)));
+  }
+  hasher.Add(impl_->At(lane).control_unit.powertrain());
+  return hasher.value();
+}
+
+}  // namespace dbd

@@ -1,0 +1,54 @@
+#include "vehicle_views.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "initial_state.h"
+
+namespace dbd {
+namespace {
+
+Eigen::Vector3d ToEigen(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
+
+}  // namespace
+
+ChassisView ViewOfChassis(const BodyState<double>& body) {
+  const Mat3<double> R_WB = RotationMatrix(body.q_WB);
+  ChassisView view;
+  view.p_WB = ToEigen(body.p_WB);
+  view.q_WB = Eigen::Quaterniond(body.q_WB.w, body.q_WB.x, body.q_WB.y, body.q_WB.z);
+  view.v_WB = ToEigen(body.v_WB);
+  view.w_WB = ToEigen(body.w_WB);
+  view.yaw = std::atan2(R_WB.x.y, R_WB.x.x);
+  view.pitch = -std::asin(std::clamp(R_WB.x.z, -1.0, 1.0));
+  view.roll = std::atan2(R_WB.y.z, R_WB.z.z);
+  view.forward_speed = Dot(body.v_WB, R_WB.x);
+  return view;
+}
+
+WheelView ViewOfWheel(const WheelModel& wheel, const BodyState<double>& body,
+                      const WheelState<double>& state, const TireReport<double>& tire) {
+  const Vec3<double> p_WH = body.p_WB + RotationMatrix(body.q_WB) * Broadcast<double>(wheel.p_BH);
+  WheelView view;
+  view.p_WH = ToEigen(p_WH);
+  view.contact_W = ToEigen(state.contact.p_WH + state.contact.p_HC_W);
+  view.normal_W = ToEigen(state.contact.normal_W);
+  view.load = tire.load;
+  view.slip = tire.slip;
+  view.spin = state.spin;
+  view.net_traction = tire.net_traction;
+  view.traction_capacity = tire.capacity;
+  view.lateral = tire.lateral;
+  view.deflection = tire.deflection;
+  view.cone_index = state.contact.cone_index;
+  view.drive_power = tire.drive_power;
+  return view;
+}
+
+DriverView ViewOfDriver(const VehicleModel& vehicle, const BodyState<double>& chassis) {
+  const Mat3<double> R_WB = RotationMatrix(chassis.q_WB);
+  const Vec3<double> rear = chassis.p_WB + R_WB * Broadcast<double>(SteeringOrigin(vehicle));
+  return {{rear.x, rear.y}, std::atan2(R_WB.x.y, R_WB.x.x), Dot(chassis.v_WB, R_WB.x)};
+}
+
+}  // namespace dbd

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <dbd/core/simulation.h>
+
+#include "engine_state.h"
+
+namespace dbd {
+
+// The engine's state as others see it.
+
+ChassisView ViewOfChassis(const BodyState<double>& body);
+
+/// `body`: the one that carries the hub.
+WheelView ViewOfWheel(const WheelModel& wheel, const BodyState<double>& body,
+                      const WheelState<double>& state, const TireReport<double>& tire);
+
+DriverView ViewOfDriver(const VehicleModel& vehicle, const BodyState<double>& chassis);
+
+}  // namespace dbd

@@ -1,0 +1,105 @@
+#include "drive_session.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "observation.h"
+#include "speed_limits.h"
+
+namespace dbd {
+namespace {
+
+constexpr double kLookInterval = 0.02;  // [s]
+
+}  // namespace
+
+DriveSession::DriveSession(const Terrain& terrain, const VehicleModel& vehicle, const Path& path,
+                           const Eigen::Vector2d& start, double heading,
+                           const DriveOptions& options, double control_step)
+    : terrain_(terrain),
+      vehicle_(vehicle),
+      path_(path),
+      options_(options),
+      driver_(vehicle, path,
+              {.target_speed = options.target_speed,
+               .speed_limits = GroundSpeedLimits(terrain, vehicle, path)}),
+      ride_(control_step),
+      judge_(vehicle, options.stop_at_violation),
+      control_step_(control_step),
+      look_every_(std::max(1, static_cast<int>(kLookInterval / control_step + 0.5))) {
+  driver_.SetStart(start, heading);
+}
+
+DriverCommand DriveSession::Command(DriverView view, double vertical_acceleration) {
+  view.going.slip = last_sample_.slip;
+  view.going.sinkage = last_sample_.sinkage;
+  view.going.ground_slope = last_sample_.ground_slope;
+  view.going.climb = -last_sample_.pitch;
+  view.going.vertical_acceleration = ride_.Update(vertical_acceleration);
+  return driver_.Update(view, control_step_, driver_state_);
+}
+
+bool DriveSession::Look(const VehicleSnapshot& snapshot, bool sane, double energy) {
+  energy_ = energy;
+  const std::optional<Verdict> verdict = Judge(snapshot, sane);
+  if (verdict) Finish(*verdict, snapshot.time, energy);
+  return verdict.has_value();
+}
+
+void DriveSession::Cancel() { Finish({Outcome::kCancelled, "cancelled"}, last_sample_.t, energy_); }
+
+std::optional<Verdict> DriveSession::Judge(const VehicleSnapshot& snapshot, bool sane) {
+  const Eigen::Vector3d place = snapshot.chassis.p_WB;
+  if (!sane) {
+    return Verdict{Outcome::kDiverged, "the simulation of this vehicle became unstable"};
+  }
+  Observation observation = Observe(snapshot, terrain_, vehicle_, options_.sinkage);
+  rollout_.distance += (place - last_place_.value_or(place)).head<2>().norm();
+  last_place_ = place;
+  observation.sample.s = rollout_.distance;
+  observation.sample.target_speed = driver_state_.target_speed;
+  observation.sample.absorbed_power = ride_.absorbed_power();
+  observation.sample.vertical_acceleration = ride_.TakePeak();
+  last_sample_ = observation.sample;
+  Record(last_sample_);
+  if (auto verdict =
+          judge_.Look(observation, driver_state_.arc_length, driver_state_.target_speed)) {
+    return verdict;
+  }
+  return LookAtEnd(snapshot);
+}
+
+std::optional<Verdict> DriveSession::LookAtEnd(const VehicleSnapshot& snapshot) const {
+  if (!path_.empty() && driver_state_.arrived) {
+    const double off = (snapshot.path_point - path_.points().back()).norm();
+    if (off <= options_.goal_tolerance) return Verdict{Outcome::kReached, ""};
+    return Verdict{Outcome::kImmobilized, "stopped beside the end of the path"};
+  }
+  if (snapshot.time < options_.duration) return std::nullopt;
+  return Verdict{Outcome::kTimedOut, "not there within the longest time"};
+}
+
+/// Keeps the rows that the trace asks for.
+void DriveSession::Record(const TraceSample& sample) {
+  const bool by_time = options_.trace_interval > 0;
+  if ((by_time ? sample.t : sample.s) < next_row_) return;
+  next_row_ += by_time ? options_.trace_interval : options_.trace_distance;
+  rollout_.trace.push_back(sample);
+}
+
+/// The last row is always kept: it shows where and how the drive ended.
+void DriveSession::Finish(const Verdict& verdict, double time, double energy) {
+  if (rollout_.trace.empty() || rollout_.trace.back().t < last_sample_.t) {
+    rollout_.trace.push_back(last_sample_);
+  }
+  rollout_.outcome = verdict.outcome;
+  rollout_.reason = verdict.reason;
+  rollout_.place = last_place_.value_or(Eigen::Vector3d::Zero());
+  rollout_.time = time;
+  rollout_.energy = energy;
+  rollout_.progress =
+      path_.empty() ? 0 : std::clamp(driver_state_.arc_length / path_.length(), 0.0, 1.0);
+  rollout_.margins = judge_.Margins();
+}
+
+}  // namespace dbd

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <dbd/core/simulation_lanes.h>
+#include <dbd/planner/drive.h>
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <stop_token>
+#include <vector>
+
+#include "drive_session.h"
+
+namespace dbd {
+
+/// One drive of a batch.
+struct DriveTask {
+  const Path* path = nullptr;
+  Eigen::Vector2d start = Eigen::Vector2d::Zero();
+  double heading = 0;
+  DriveOptions options;
+};
+
+/// Drives that several workers share: each takes the next one when a lane of its own is free.
+struct DriveQueue {
+  const std::vector<DriveTask>& tasks;
+  std::vector<Rollout>& rollouts;  ///< slot i is task i
+  std::function<void()> on_done;   ///< may be called from any worker
+  std::stop_token stop;
+  std::atomic<std::size_t> next = 0;
+};
+
+/// A pack of vehicles and what drives and judges each of them. Which lane takes which drive, and
+/// beside which neighbours, changes no bit of the drive.
+class LaneBatch {
+ public:
+  LaneBatch(const Terrain& terrain, const VehicleModel& vehicle, LaneKind kind);
+
+  /// Drives until the queue is empty and all lanes are done, or the queue's stop is asked for:
+  /// what is then on its way or not begun ends with kCancelled.
+  void Run(DriveQueue& queue);
+
+ private:
+  struct Slot {
+    std::size_t task = 0;
+    std::unique_ptr<DriveSession> session;  // null: free
+    int steps_to_look = 0;
+  };
+
+  bool Refill(DriveQueue& queue);
+  void Serve(int lane, DriveQueue& queue);
+  void CancelAll(DriveQueue& queue);
+  void Finish(Slot& slot, DriveQueue& queue);
+
+  const Terrain& terrain_;
+  const VehicleModel& vehicle_;
+  SimulationLanes lanes_;
+  std::vector<Slot> slots_;
+  std::vector<DriverCommand> commands_;
+  VehicleSnapshot snapshot_;
+};
+
+/// The narrowest lanes that take `drives` at once: fewer vehicles step faster.
+LaneKind LanesFor(std::size_t drives);
+
+}  // namespace dbd
