@@ -76,8 +76,7 @@ void TrafficabilityLayer::LayOutGrid(const HeightMap& heights, double half_footp
 }
 
 void TrafficabilityLayer::FillCells(double half_footprint, double step_limit) {
-  const HeightGrid grid =
-      SampleHeights(terrain_->heights(), min_corner_, columns_, rows_, resolution_);
+  const HeightGrid grid = SampleHeights(*terrain_, min_corner_, columns_, rows_, resolution_);
   const int k = HalfWindow(half_footprint, resolution_);
   const std::vector<PlaneFit> fits = FitPlanes(grid, k);
   const std::vector<std::uint8_t> steps = FindSteps(grid, step_limit);

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "apps/temporary_directory.h"
+#include "support/temporary_directory.h"
 
 namespace dbd {
 namespace {
@@ -43,8 +43,8 @@ class Program : public testing::Test {
     scratch_ = nullptr;
   }
 
-  static std::string Land(const std::string& file) { return *scratch_ / ("land/" + file); }
-  static std::string Scratch(const std::string& file) { return *scratch_ / file; }
+  static std::string Land(const std::string& file) { return scratch_->File("land/" + file); }
+  static std::string Scratch(const std::string& file) { return scratch_->File(file); }
 
   static Ending RunDbd(const std::string& arguments) {
     const std::string out = Scratch("stdout");

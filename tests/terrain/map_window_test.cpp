@@ -11,11 +11,6 @@ namespace {
 
 using testing::HasSubstr;
 
-double HeightAtMap(const Terrain& terrain, double x, double y) {
-  const Eigen::Vector2d local = terrain.frame().ToLocal({x, y});
-  return terrain.Height(local.x(), local.y());
-}
-
 class MapWindowTest : public testing::Test {
  protected:
   TemporaryDirectory directory_;
