@@ -2,6 +2,7 @@
 #include <dbd/core/scenario.h>
 #include <dbd/core/scene_scenario.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -29,15 +30,17 @@ Path MakeWay(double behind) {
   return Path(points);
 }
 
-SceneScenario Begin(const std::string& name, const SceneScenarioOptions& options) {
+SceneScenario Begin(const std::string& name, const VehicleModel& first,
+                    const SceneScenarioOptions& options) {
   if (!(options.target_speed > 0)) throw InputError(name + ": target speed must be above 0");
   SceneScenario scenario;
+  const double speed = std::min(options.target_speed, first.limits.max_speed);
   scenario.name = name;
   scenario.ground = options.ground != nullptr
                         ? options.ground
                         : MakeRandomGround(kRoughBegin, kRoughness, kNodeSpacing, 1);
   scenario.options.gap = options.gap;
-  scenario.duration = kEnd / options.target_speed + kStopTime;
+  scenario.duration = kEnd / speed + kStopTime;
   return scenario;
 }
 
@@ -89,7 +92,7 @@ bool AllStand(const Scene& scene) {
 SceneScenario MakeConvoyScenario(const std::shared_ptr<const VehicleModel>& vehicle, int count,
                                  const SceneScenarioOptions& options) {
   if (count < 1) throw InputError("convoy: needs at least one vehicle");
-  SceneScenario scenario = Begin("convoy", options);
+  SceneScenario scenario = Begin("convoy", *vehicle, options);
   scenario.description = "vehicles that keep their distance over random heights up to 50 mm";
   if (options.ground != nullptr) scenario.description = "vehicles that keep their distance";
   const double spacing = vehicle->outline.front + vehicle->outline.rear + options.gap.standing_gap;
@@ -106,7 +109,7 @@ SceneScenario MakeRoadTrainScenario(const std::shared_ptr<const VehicleModel>& t
                                     const TrailerModel& trailer, int trailers,
                                     const SceneScenarioOptions& options) {
   if (trailers < 0) throw InputError("road train: the number of trailers must not be negative");
-  SceneScenario scenario = Begin("road-train", options);
+  SceneScenario scenario = Begin("road-train", *tractor, options);
   scenario.description = "trailers coupled by stiff links over random heights up to 50 mm";
   if (options.ground != nullptr) scenario.description = "trailers coupled by stiff links";
   SceneVehicle first;
