@@ -8,7 +8,7 @@ namespace dbd {
 
 struct BodyExecutorOptions {
   int threads = 0;  ///< 0: all that the process may have
-  /// Scenes with fewer items are always done in the calling thread: see docs/benchmarks.
+  /// Fewer items are always done in the calling thread.
   int least_items = 4;
   /// Measure now and then whether one thread would be faster, as it is where other programs use
   /// the processors; false: always share, for tests and benchmarks.
