@@ -1,11 +1,13 @@
 #include <benchmark/benchmark.h>
-#include <dbd/terrain/height_map.h>
-#include <dbd/terrain/obstacle_map.h>
+#include <dbd/core/vehicle_database.h>
+#include <dbd/planner/drive.h>
+#include <dbd/terrain/terrain.h>
 #include <dbd/terrain/tin_surface.h>
 
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <random>
 #include <utility>
 #include <vector>
@@ -119,6 +121,24 @@ void TinHeights(benchmark::State& state) {
   SetRate(state, places.x.size());
 }
 BENCHMARK(TinHeights)->ArgsProduct({{1000, 100}, {0, 1}})->ArgNames({"mm", "scattered"});
+
+// A vehicle driven across, on a raster (argument: cell size [mm]) or on a TIN (negative: spacing).
+// The rate is simulated seconds per second: the real-time factor.
+void Rollout(benchmark::State& state) {
+  const double size = 1e-3 * static_cast<double>(std::abs(state.range(0)));
+  Terrain terrain(LocalFrame("", Eigen::Vector2d::Zero()),
+                  MakeRaster(state.range(0) > 0 ? size : 0.5), MaterialMap(Material()),
+                  ObstacleMap());
+  if (state.range(0) < 0) terrain.set_tin(std::make_shared<const TinSurface>(MakeTin(size)));
+  const auto vehicle = LoadVehicle("tomcar-tm27");
+  const Path path({{5, 20}, {50, 33}});
+  double simulated = 0;
+  for ([[maybe_unused]] auto _ : state) {
+    simulated += DrivePath(terrain, *vehicle, path, path.Position(0), path.Heading(0), {}).time;
+  }
+  state.counters["real_time_factor"] = benchmark::Counter(simulated, benchmark::Counter::kIsRate);
+}
+BENCHMARK(Rollout)->ArgsProduct({{1000, 100, 20, -1000, -100}})->ArgName("mm");
 
 // A vehicle's box, 4 m x 2 m, over obstacles on one cell in a hundred.
 void ClearanceOfABox(benchmark::State& state) {

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "scene_flags.h"
 #include "terrain_flags.h"
 
 #ifndef DBD_VERSION
@@ -164,13 +165,23 @@ void AddScenarioVariants(CLI::App* command, ScenarioArguments* scenario) {
       ->excludes(scheme);
 }
 
+/// A scene was named: what belongs to scenarios A-D would have no effect.
+void RefuseOptions(const CLI::App& scenario) {
+  for (const CLI::Option* option : scenario.get_options()) {
+    if (option->count() == 0) continue;
+    throw CLI::ValidationError(option->get_name(), "has no meaning before a scene's name");
+  }
+}
+
 void DeclareScenario(CLI::App* app, Commands* commands) {
   ScenarioArguments* scenario = &commands->scenario;
   CLI::App* command = AddCommand(
-      app, "scenario", "Drive one of the paper's scenarios A-D, or compare it with another program",
+      app, "scenario",
+      "Drive one of the paper's scenarios A-D, or compare it with another program; or a scene of "
+      "many vehicles",
       "Example:\n  dbd scenario A --hold --vertical-tire --link-stiffness 10 --step-factor 0.5 "
-      "--compare A.csv");
-  command->add_option("name", scenario->name, "A, B, C or D")->required()->option_text("NAME");
+      "--compare A.csv\n  dbd scenario convoy --vehicles 8\n  dbd scenario road-train");
+  command->add_option("name", scenario->name, "A, B, C or D")->option_text("NAME");
   command
       ->add_option("--vehicle", scenario->vehicle,
                    "Built-in vehicle or JSON file, default tomcar-tm27")
@@ -185,8 +196,15 @@ void DeclareScenario(CLI::App* app, Commands* commands) {
                    "curves when comparing; needs gnuplot")
       ->option_text("DIR");
   AddScenarioVariants(command, scenario);
-  command->callback(
-      [commands, scenario] { commands->run = [scenario] { return RunScenario(*scenario); }; });
+  SceneArguments* scene = &commands->scene;
+  DeclareScenes(command, scene,
+                [commands, scene] { commands->run = [scene] { return RunScene(*scene); }; });
+  command->require_subcommand(0, 1);
+  command->callback([command, commands, scenario] {
+    if (!command->get_subcommands().empty()) return RefuseOptions(*command);
+    if (scenario->name.empty()) throw CLI::RequiredError("scenario: A, B, C, D or a scene");
+    commands->run = [scenario] { return RunScenario(*scenario); };
+  });
 }
 
 void DeclareTerrainGenerate(CLI::App* terrain, Commands* commands) {

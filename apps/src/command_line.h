@@ -6,6 +6,7 @@
 
 #include "plan_command.h"
 #include "scenario_command.h"
+#include "scene_command.h"
 #include "simulate_command.h"
 #include "terrain_command.h"
 #include "vehicle_command.h"
@@ -23,6 +24,7 @@ struct Commands {
   PlanArguments plan;
   SimulateArguments simulate;
   ScenarioArguments scenario;
+  SceneArguments scene;
   TerrainGenerateArguments terrain_generate;
   TerrainInfoArguments terrain_info;
   std::string vehicle;

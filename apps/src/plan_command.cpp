@@ -63,7 +63,9 @@ int RunPlan(const PlanArguments& arguments) {
   const TypedPlace goal = ParsePlace("--goal", arguments.goal);
   OutputDirectory output(arguments.out);
   const auto vehicle = LoadVehicle(arguments.vehicle);
-  const auto terrain = LoadTerrain(arguments.terrain, {start, goal}, arguments.coordinates);
+  PlacesToKeep places;
+  places.In(arguments.coordinates) = {start.xy, goal.xy};
+  const auto terrain = LoadTerrain(arguments.terrain, places);
   const PlanRequest request = MakeRequest(arguments, start, goal, *terrain);
   const Plan plan = PlanWithProgress(terrain, vehicle, request, options, interrupt.token());
   if (plan.status == PlanStatus::kCancelled || plan.status == PlanStatus::kDeadline) {

@@ -1,5 +1,7 @@
 #include "plot_script.h"
 
+#include <iterator>
+
 #include "gnuplot.h"
 #include "text.h"
 
@@ -21,12 +23,16 @@ set lmargin 11
 set rmargin 4
 )";
 
+/// The first is dark blue; the others are told apart by colour-blind readers too (Okabe & Ito).
+constexpr const char* kPalette[] = {"#1d3557", "#e69f00", "#56b4e9", "#009e73",
+                                    "#d55e00", "#cc79a7", "#0072b2", "#999999"};
+
 std::string CurveText(const PlotCurve& curve) {
-  return Format(
-      "%s using %d:%d with lines %s title %s", QuoteForGnuplot(curve.file).c_str(), curve.x_column,
-      curve.y_column,
-      curve.reference ? "linecolor '#f4a261' linewidth 4" : "linecolor '#1d3557' linewidth 1.5",
-      QuoteForGnuplot(curve.name).c_str());
+  const std::string color = kPalette[static_cast<std::size_t>(curve.color) % std::size(kPalette)];
+  const std::string style = curve.reference ? "linecolor '#f4a261' linewidth 4"
+                                            : "linecolor '" + color + "' linewidth 1.5";
+  return Format("%s using %d:%d with lines %s title %s", QuoteForGnuplot(curve.file).c_str(),
+                curve.x_column, curve.y_column, style.c_str(), QuoteForGnuplot(curve.name).c_str());
 }
 
 std::string PanelText(const PlotPanel& panel) {

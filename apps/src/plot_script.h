@@ -12,6 +12,7 @@ struct PlotCurve {
   int y_column = 2;
   std::string name;        ///< in the legend
   bool reference = false;  ///< drawn broad and pale, below the others
+  int color = 0;           ///< of a palette of eight, again from the first after the last
 };
 
 struct PlotPanel {

@@ -5,7 +5,6 @@
 #include <dbd/core/units.h>
 #include <dbd/core/vehicle_database.h>
 #include <dbd/core/vehicle_variant.h>
-#include <dbd/terrain/terrain.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +13,7 @@
 #include <optional>
 
 #include "cli.h"
+#include "scenario_ground_file.h"
 #include "scenario_plots.h"
 
 namespace dbd {
@@ -34,13 +34,7 @@ Scenario MakeScenarioAsAsked(const ScenarioArguments& arguments) {
     const double radius = arguments.bump_radius > 0 ? arguments.bump_radius : 0.1;
     scenario.ground = MakeBumpGround(kBumpX, radius, SideOf(arguments.bump_side));
   }
-  if (arguments.terrain.ends_with(".csv")) {
-    scenario.ground = ReadGridGround(arguments.terrain);
-  } else if (!arguments.terrain.empty()) {
-    TerrainFiles files;
-    files.elevation = arguments.terrain;
-    scenario.ground = LoadTerrain(files);
-  }
+  if (!arguments.terrain.empty()) scenario.ground = LoadScenarioGround(arguments.terrain);
   return scenario;
 }
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 
 #include "cli.h"
 #include "console.h"
@@ -24,18 +25,37 @@ namespace {
 
 constexpr double kDefaultDuration = 60;  // [s]
 
+/// The line that was asked for, as its file has it.
+std::optional<GeoPath> ReadLine(const SimulateArguments& arguments) {
+  if (arguments.path.empty()) return std::nullopt;
+  GeoPath line = ReadGeoPath(arguments.path);
+  if (line.line_count > 1) {
+    PrintNote(
+        Format("%s holds %d lines; driving the longest", arguments.path.c_str(), line.line_count));
+  }
+  return line;
+}
+
+PlacesToKeep PlacesOf(const SimulateArguments& arguments, const std::optional<GeoPath>& line) {
+  PlacesToKeep places;
+  if (line) {
+    places.In(line->in_map_coordinates ? Coordinates::kMap : Coordinates::kWgs84) = line->points;
+  }
+  if (!arguments.start.empty()) {
+    places.In(arguments.coordinates).push_back(ParsePlace("--start", arguments.start).xy);
+  }
+  return places;
+}
+
 /// The path in W; empty when none was given.
-Path ReadPath(const SimulateArguments& arguments, const Terrain& terrain) {
-  if (arguments.path.empty()) return Path();
-  const GeoPath line = ReadGeoPath(arguments.path);
+Path MakePath(const SimulateArguments& arguments, const std::optional<GeoPath>& given,
+              const Terrain& terrain) {
+  if (!given) return Path();
+  const GeoPath& line = *given;
   const LocalFrame& frame = terrain.frame();
   if (!line.in_map_coordinates && !frame.has_crs()) {
     throw InputError("--path " + arguments.path +
                      ": is in WGS84, but the elevation file has no coordinate system");
-  }
-  if (line.line_count > 1) {
-    PrintNote(
-        Format("%s holds %d lines; driving the longest", arguments.path.c_str(), line.line_count));
   }
   std::vector<Eigen::Vector2d> points;
   for (const Eigen::Vector2d& point : line.points) {
@@ -138,8 +158,9 @@ int RunSimulate(const SimulateArguments& arguments) {
   Interrupt interrupt;
   OutputDirectory output(arguments.out);
   const auto vehicle = LoadVehicle(arguments.vehicle);
-  const auto terrain = LoadTerrain(arguments.terrain);
-  const Path path = ReadPath(arguments, *terrain);
+  const std::optional<GeoPath> line = ReadLine(arguments);
+  const auto terrain = LoadTerrain(arguments.terrain, PlacesOf(arguments, line));
+  const Path path = MakePath(arguments, line, *terrain);
   const LocalPlace start = FindStart(arguments, path, *terrain);
   const Rollout rollout = DrivePath(*terrain, *vehicle, path, start.xy, *start.yaw,
                                     MakeOptions(arguments, path), interrupt.token());

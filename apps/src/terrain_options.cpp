@@ -66,12 +66,15 @@ TerrainFiles MakeTerrainFiles(const TerrainArguments& arguments) {
 }
 
 std::shared_ptr<const Terrain> LoadTerrain(const TerrainArguments& arguments,
-                                           const std::vector<TypedPlace>& places,
-                                           Coordinates coordinates) {
+                                           const PlacesToKeep& places) {
   TerrainFiles files = MakeTerrainFiles(arguments);
-  for (const TypedPlace& place : places) files.places.push_back(place.xy);
-  files.places_in_wgs84 = coordinates == Coordinates::kWgs84;
-  auto terrain = LoadTerrain(files);
+  files.places = places.map;
+  files.wgs84_places = places.wgs84;
+  ProgressLine progress;
+  auto terrain = LoadTerrain(files, [&progress](const std::string& stage, int done, int total) {
+    progress.Show(stage, done, total);
+  });
+  progress.Clear();
   for (const std::string& note : terrain->notes()) PrintNote(note);
   return terrain;
 }

@@ -33,13 +33,22 @@ struct TerrainArguments {
   double surface_threshold_m = 0.5;
 };
 
+/// What a map must hold that is too large to be loaded whole.
+struct PlacesToKeep {
+  std::vector<Eigen::Vector2d> map;    ///< in the elevation's own coordinates
+  std::vector<Eigen::Vector2d> wgs84;  ///< longitude, latitude [deg]
+
+  std::vector<Eigen::Vector2d>& In(Coordinates coordinates) {
+    return coordinates == Coordinates::kMap ? map : wgs84;
+  }
+};
+
 /// Throws InputError when flags that belong together are given apart.
 TerrainFiles MakeTerrainFiles(const TerrainArguments& arguments);
 
-/// Checks the flags, reads the files and prints what is worth knowing of them. Of a map that is too
-/// large for the memory the part round `places` is read. Throws InputError.
+/// Checks the flags, reads the files, shows the progress and prints what is worth knowing of them.
+/// Of a map that is too large for the memory the part round the places is read. Throws InputError.
 std::shared_ptr<const Terrain> LoadTerrain(const TerrainArguments& arguments,
-                                           const std::vector<TypedPlace>& places = {},
-                                           Coordinates coordinates = Coordinates::kMap);
+                                           const PlacesToKeep& places = {});
 
 }  // namespace dbd

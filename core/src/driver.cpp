@@ -94,7 +94,8 @@ double Driver::SpeedLimit(double s) const {
 }
 
 double Driver::TargetSpeed(const DriverView& view, double dt, DriverState& state) const {
-  const double allowed = SpeedLimit(state.arc_length + 0.3 * view.speed);
+  const double allowed =
+      std::min(SpeedLimit(state.arc_length + 0.3 * view.speed), view.speed_limit);
   const double limit =
       CarefulSpeed(options_.care, vehicle_.limits, view.going, allowed, dt, state.care);
   if (!options_.stop_at_end) return limit;

@@ -10,6 +10,7 @@
 #include "engine_state.h"
 #include "time_steps.h"
 #include "trim.h"
+#include "vehicle_file.h"
 #include "vehicle_file_elements.h"
 #include "vehicle_file_parts.h"
 
@@ -104,7 +105,7 @@ void ReadSteps(const JsonObject& object, StepSizes& steps) {
   object.RefuseUnknownKeys();
 }
 
-void CheckWhole(const JsonObject& root, const VehicleModel& vehicle) {
+void CheckWhole(const JsonObject& root, const VehicleModel& vehicle, bool towed) {
   if (vehicle.axles.size() < 2) root.Fail("axles", "needs at least two");
   if (vehicle.wheels.size() > kMaxWheels) {
     root.Fail("axles", "has more than " + std::to_string(kMaxWheels / 2));
@@ -114,7 +115,8 @@ void CheckWhole(const JsonObject& root, const VehicleModel& vehicle) {
     driven = driven || axle.driven;
     steered = steered || axle.steer_ratio != 0;
   }
-  if (!driven) root.Fail("axles", "none is driven");
+  if (driven && towed) root.Fail("axles", "one is driven: a trailer has no powertrain");
+  if (!driven && !towed) root.Fail("axles", "none is driven");
   if (!steered) root.Fail("axles", "none steers");
   if (vehicle.wheelbase() <= 0.01) root.Fail("axles", "all have the same place");
 }
@@ -132,27 +134,32 @@ void CheckBodiesAreHeld(const JsonObject& root, const VehicleModel& vehicle) {
 
 }  // namespace
 
+VehicleModel ReadVehicle(const JsonObject& root, const std::string& origin, bool towed) {
+  VehicleModel vehicle;
+  vehicle.name = root.Text("name");
+  vehicle.description = root.Text("description", "");
+  vehicle.reference_height = root.Number("reference_height", 0, kMostLength);
+  ReadChassis(root.Child("chassis"), vehicle);
+  for (const JsonObject& axle : root.Children("axles")) ReadAxle(axle, vehicle);
+  CheckWhole(root, vehicle, towed);
+  vehicle.outline = ReadOutline(root.Child("outline"), vehicle.bodies[0].p_RB.x());
+  vehicle.limits = ReadLimits(root.Child("limits"));
+  if (!towed) vehicle.powertrain = ReadPowertrain(root.Child("powertrain"));
+  TrimWheelLoads(origin, vehicle);  // sets the heights of the axles that connections refer to
+  ReadElements(root, vehicle);
+  CheckBodiesAreHeld(root, vehicle);
+  TrimFreeLengths(vehicle);
+  vehicle.steps = ChooseStepSizes(vehicle);
+  if (root.Has("steps")) ReadSteps(root.Child("steps"), vehicle.steps);
+  SynchroniseSteps(vehicle.steps);
+  return vehicle;
+}
+
 std::shared_ptr<const VehicleModel> ParseVehicle(const std::string& text,
                                                  const std::string& origin) {
   const JsonObject root = JsonObject::Parse(text, origin, "dbd.vehicle/1");
-  auto vehicle = std::make_shared<VehicleModel>();
-  vehicle->name = root.Text("name");
-  vehicle->description = root.Text("description", "");
-  vehicle->reference_height = root.Number("reference_height", 0, kMostLength);
-  ReadChassis(root.Child("chassis"), *vehicle);
-  for (const JsonObject& axle : root.Children("axles")) ReadAxle(axle, *vehicle);
-  CheckWhole(root, *vehicle);
-  vehicle->outline = ReadOutline(root.Child("outline"), vehicle->bodies[0].p_RB.x());
-  vehicle->limits = ReadLimits(root.Child("limits"));
-  vehicle->powertrain = ReadPowertrain(root.Child("powertrain"));
-  TrimWheelLoads(origin, *vehicle);  // sets the heights of the axles that connections refer to
-  ReadElements(root, *vehicle);
-  CheckBodiesAreHeld(root, *vehicle);
-  TrimFreeLengths(*vehicle);
-  vehicle->steps = ChooseStepSizes(*vehicle);
-  if (root.Has("steps")) ReadSteps(root.Child("steps"), vehicle->steps);
+  auto vehicle = std::make_shared<const VehicleModel>(ReadVehicle(root, origin, false));
   root.RefuseUnknownKeys();
-  SynchroniseSteps(vehicle->steps);
   return vehicle;
 }
 

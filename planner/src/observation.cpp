@@ -97,11 +97,27 @@ void AddDrivenWheels(const VehicleModel& vehicle, const WheelViews& wheels, Trac
   sample.net_traction_reserve = reserve / (vehicle.total_mass() * kGravity);
 }
 
-void LookAtGround(const Terrain& terrain, const WheelViews& wheels, Observation& observation) {
-  for (const WheelView& wheel : wheels) {
-    const double x = wheel.p_WH.x(), y = wheel.p_WH.y();
-    if (!terrain.IsKnown(x, y)) observation.on_known_ground = false;
-    const Material* material = terrain.materials().At(x, y);
+/// All of its print, taken as a square as wide as the tire, along the vehicle's heading.
+bool StandsOnKnownGround(const Terrain& terrain, const WheelView& wheel, double width, double yaw) {
+  const Eigen::Vector2d corner = 0.5 * width * Eigen::Vector2d(std::cos(yaw), std::sin(yaw));
+  const Eigen::Vector2d diagonal(corner.x() - corner.y(), corner.y() + corner.x());
+  const Eigen::Vector2d other(-diagonal.y(), diagonal.x());
+  const Eigen::Vector2d hub = wheel.p_WH.head<2>();
+  for (const Eigen::Vector2d& place :
+       {hub, Eigen::Vector2d(hub + diagonal), Eigen::Vector2d(hub - diagonal),
+        Eigen::Vector2d(hub + other), Eigen::Vector2d(hub - other)}) {
+    if (!terrain.IsKnown(place.x(), place.y())) return false;
+  }
+  return true;
+}
+
+void LookAtGround(const Terrain& terrain, const VehicleModel& vehicle, double yaw,
+                  const WheelViews& wheels, Observation& observation) {
+  for (std::size_t i = 0; i < wheels.size(); ++i) {
+    if (!StandsOnKnownGround(terrain, wheels[i], vehicle.wheels[i].tire.width, yaw)) {
+      observation.on_known_ground = false;
+    }
+    const Material* material = terrain.materials().At(wheels[i].p_WH.x(), wheels[i].p_WH.y());
     if (material == nullptr) observation.on_known_ground = false;
     if (material != nullptr && !material->passable) observation.impassable = material;
   }
@@ -139,7 +155,7 @@ Observation Observe(const VehicleSnapshot& snapshot, const Terrain& terrain,
   sample.load_transfer_ratio = LoadTransferRatio(vehicle, wheels);
   sample.ground_slope = GroundSlope(terrain, vehicle, wheels);
   AddDrivenWheels(vehicle, wheels, sample);
-  LookAtGround(terrain, wheels, observation);
+  LookAtGround(terrain, vehicle, chassis.yaw, wheels, observation);
   observation.hits_obstacle = HitsObstacle(terrain, vehicle, chassis);
   observation.up = (chassis.q_WB * Eigen::Vector3d::UnitZ()).z();
   return observation;

@@ -76,15 +76,15 @@ void TrafficabilityLayer::LayOutGrid(const HeightMap& heights, double half_footp
 }
 
 void TrafficabilityLayer::FillCells(double half_footprint, double step_limit) {
-  const HeightGrid grid =
-      SampleHeights(terrain_->heights(), min_corner_, columns_, rows_, resolution_);
+  const HeightGrid grid = SampleHeights(*terrain_, min_corner_, columns_, rows_, resolution_);
   const int k = HalfWindow(half_footprint, resolution_);
   const std::vector<PlaneFit> fits = FitPlanes(grid, k);
   const std::vector<std::uint8_t> steps = FindSteps(grid, step_limit);
   std::vector<std::uint8_t> unknown(grid.known.size());
   std::transform(grid.known.begin(), grid.known.end(), unknown.begin(),
                  [](std::uint8_t known) { return known ? std::uint8_t{0} : std::uint8_t{1}; });
-  unknown = Dilate(unknown, columns_, rows_, k);
+  // A cell more than the footprint: tires stand out of it, and no driver keeps a path exactly.
+  unknown = Dilate(unknown, columns_, rows_, k + 1);
   // A crest of height c needs residuals whose squares add up to at least c^2 / 2.
   const double rugged = crest_limit_ / (std::sqrt(2.0) * (2 * k + 1));
   cells_.resize(fits.size());

@@ -65,7 +65,7 @@ class RowWindow {
 
 }  // namespace
 
-HeightGrid SampleHeights(const HeightMap& map, const Eigen::Vector2d& min_corner, int columns,
+HeightGrid SampleHeights(const Terrain& terrain, const Eigen::Vector2d& min_corner, int columns,
                          int rows, double resolution) {
   HeightGrid grid{columns, rows, resolution, {}, {}};
   const std::size_t cells = static_cast<std::size_t>(columns) * rows;
@@ -75,10 +75,10 @@ HeightGrid SampleHeights(const HeightMap& map, const Eigen::Vector2d& min_corner
   for (int i = 0; i < columns; ++i) x[i] = min_corner.x() + i * resolution;
   for (int row = 0; row < rows; ++row) {
     std::fill(y.begin(), y.end(), min_corner.y() + row * resolution);
-    map.Heights(columns, x.data(), y.data(), z.data());
+    terrain.Heights(columns, x.data(), y.data(), z.data());
     for (int i = 0; i < columns; ++i) {
-      grid.heights[grid.Index(i, row)] = static_cast<float>(z[i] - map.lowest());
-      grid.known[grid.Index(i, row)] = map.IsKnown(x[i], y[i]) ? 1 : 0;
+      grid.heights[grid.Index(i, row)] = static_cast<float>(z[i] - terrain.heights().lowest());
+      grid.known[grid.Index(i, row)] = terrain.IsKnown(x[i], y[i]) ? 1 : 0;
     }
   }
   return grid;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <dbd/terrain/height_map.h>
+#include <dbd/terrain/terrain.h>
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -21,7 +21,8 @@ struct HeightGrid {
   }
 };
 
-HeightGrid SampleHeights(const HeightMap& map, const Eigen::Vector2d& min_corner, int columns,
+/// Of the surface that the wheels touch: a TIN's triangles, not its raster.
+HeightGrid SampleHeights(const Terrain& terrain, const Eigen::Vector2d& min_corner, int columns,
                          int rows, double resolution);
 
 /// Least-squares plane about one cell.

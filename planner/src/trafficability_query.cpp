@@ -125,7 +125,7 @@ bool TrafficabilityLayer::BellyTouches(double x, double y, double cos_h, double 
   const double xs[3] = {x - dx, x, x + dx};
   const double ys[3] = {y - dy, y, y + dy};
   double z[3];
-  terrain_->heights().Heights(3, xs, ys, z);
+  terrain_->Heights(3, xs, ys, z);
   return z[1] - 0.5 * (z[0] + z[2]) > crest_limit_;
 }
 

@@ -46,4 +46,10 @@ void GdalSession::KeepWarning(std::string line) {
   warnings_.push_back(std::move(line));
 }
 
+GdalCacheLimit::GdalCacheLimit(std::int64_t bytes) : former_(GDALGetCacheMax64()) {
+  GDALSetCacheMax64(std::min<std::int64_t>(bytes, former_));
+}
+
+GdalCacheLimit::~GdalCacheLimit() { GDALSetCacheMax64(former_); }
+
 }  // namespace dbd

@@ -2,6 +2,7 @@
 
 #include <cpl_error.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,19 @@ class GdalSession {
 
   std::string error_;
   std::vector<std::string> warnings_;
+};
+
+/// While it lives, GDAL's cache of blocks is no larger than this. Without it GDAL takes a twentieth
+/// of the machine's memory. The cache is the process's own; its former size comes back.
+class GdalCacheLimit {
+ public:
+  explicit GdalCacheLimit(std::int64_t bytes);
+  ~GdalCacheLimit();
+  GdalCacheLimit(const GdalCacheLimit&) = delete;
+  GdalCacheLimit& operator=(const GdalCacheLimit&) = delete;
+
+ private:
+  std::int64_t former_;
 };
 
 }  // namespace dbd

@@ -30,7 +30,7 @@ int SquareOf(double index, double last) {
 
 }  // namespace
 
-HeightMap::HeightMap(const Grid& grid, const std::vector<float>& heights, double base_height)
+HeightMap::HeightMap(const Grid& grid, std::vector<float> heights, double base_height)
     : grid_(grid),
       base_height_(base_height),
       inverse_cell_size_(grid.cell_size.cwiseInverse()),
@@ -42,10 +42,9 @@ HeightMap::HeightMap(const Grid& grid, const std::vector<float>& heights, double
   DBD_ASSERT(heights.size() == grid.CellCount());
   DBD_ASSERT(grid.cell_size.minCoeff() > 0);
   MarkKnown(heights);
-  std::vector<float> continued = heights;
-  if (unknown_share_ > 0) ContinueHeightsIntoUnknown(&continued);
-  StoreRowPairs(continued);
-  BuildHighestTiles(continued);
+  if (unknown_share_ > 0) ContinueHeightsIntoUnknown(&heights);
+  StoreRowPairs(heights);
+  BuildHighestTiles(heights);
 }
 
 double HeightMap::Height(double x, double y) const {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 
 #include "map_window.h"
@@ -17,6 +18,9 @@ constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
 // While loading: the raster, a copy when it is warped, and the finished map.
 const std::size_t kBytesPerCell = 2 * sizeof(float) + HeightMap::MemoryNeed(1);
+
+// Of GDAL, while the rows are read: some rows of tiles.
+constexpr std::int64_t kCacheBytes = 64 << 20;
 
 // Values that files without a nodata entry use for it.
 bool IsNeverAHeight(double height) {
@@ -66,13 +70,38 @@ double BaseHeightOf(const std::vector<double>& row) {
   return known == row.end() ? std::numeric_limits<double>::quiet_NaN() : std::round(*known);
 }
 
-void ReadHeights(const RasterFile& file, ElevationRaster* raster) {
+// Tells of every hundredth of the rows.
+class RowProgress {
+ public:
+  RowProgress(const LoadProgress& progress, const HeightMap::Grid& grid)
+      : progress_(progress), rows_(grid.rows) {
+    const double bytes = static_cast<double>(ElevationMemoryNeed(grid.columns, grid.rows));
+    char text[80];
+    std::snprintf(text, sizeof text, "elevation, %.2f GB, row", bytes / 1e9);
+    stage_ = text;
+  }
+
+  void Reach(int row) const {
+    if (progress_ && row % std::max(1, rows_ / 100) == 0) progress_(stage_, row, rows_);
+  }
+
+ private:
+  const LoadProgress& progress_;
+  int rows_;
+  std::string stage_;
+};
+
+void ReadHeights(const RasterFile& file, const LoadProgress& progress, ElevationRaster* raster) {
   const HeightMap::Grid& grid = raster->grid;
+  const RowProgress reached(progress, grid);
+  reached.Reach(0);
+  const GdalCacheLimit cache(kCacheBytes);
   raster->heights.assign(grid.CellCount(), kUnknown);
   BandReader reader(file);
   bool has_base = false;
   for (int row = 0; row < grid.rows; ++row) {
     const std::vector<double>& heights = reader.Row(row);
+    reached.Reach(row + 1);
     if (!has_base) {
       const double base = BaseHeightOf(heights);
       if (std::isnan(base)) continue;
@@ -104,7 +133,7 @@ ElevationRaster LoadElevation(const RasterRequest& request) {
     file.Fail("is " + std::to_string(raster.grid.columns) + " x " +
               std::to_string(raster.grid.rows) + " cells, at least 2 x 2 are needed");
   }
-  ReadHeights(file, &raster);
+  ReadHeights(file, request.progress, &raster);
   if (file.crs() == nullptr) return raster;
   raster.source_wkt = raster.map_wkt = WktOf(*file.crs());
   if (NeedsWarp(*file.crs(), raster.grid))

@@ -21,7 +21,7 @@ struct ElevationRaster {
 };
 
 /// Reads an elevation raster that GDAL opens: scale, offset, unit, nodata and mask are applied.
-/// What is geographic, not in metres, or not true to scale is warped (bilinear, at about the same
+/// What is geographic, not in metres, or not true to scale is warped (cubic, at about the same
 /// resolution) to the UTM zone of its centre. Besides declared nodata, heights that no ground has
 /// (-9999, beyond +-30 km, not finite) are unknown. Throws InputError that names the file and what
 /// is wrong with it.

@@ -21,13 +21,18 @@ LocalFrame MakeFrame(const ElevationRaster& elevation) {
   return frame;
 }
 
-HeightMap MakeHeights(const ElevationRaster& elevation, const LocalFrame& frame) {
-  HeightMap::Grid grid = elevation.grid;
+// Takes the heights, unless what stands on them is read later.
+HeightMap MakeHeights(const TerrainFiles& files, const LocalFrame& frame,
+                      ElevationRaster* elevation) {
+  HeightMap::Grid grid = elevation->grid;
   grid.first_center = frame.ToLocal(grid.first_center);
-  return HeightMap(grid, elevation.heights, elevation.base_height);
+  if (!files.surface_model.empty()) {
+    return HeightMap(grid, elevation->heights, elevation->base_height);
+  }
+  return HeightMap(grid, std::move(elevation->heights), elevation->base_height);
 }
 
-RasterRequest ElevationRequest(const TerrainFiles& files) {
+RasterRequest ElevationRequest(const TerrainFiles& files, const LoadProgress& progress) {
   RasterRequest request;
   request.files = {files.elevation};
   request.band = files.elevation_band;
@@ -35,7 +40,8 @@ RasterRequest ElevationRequest(const TerrainFiles& files) {
   // The other half is for materials, obstacles and the planner's layer.
   request.memory_limit = 0.5 * files.memory_limit;
   request.places = files.places;
-  request.places_in_wgs84 = files.places_in_wgs84;
+  request.wgs84_places = files.wgs84_places;
+  request.progress = progress;
   request.files.insert(request.files.end(), files.more_elevation.begin(),
                        files.more_elevation.end());
   return request;
@@ -46,7 +52,8 @@ bool IsTin(const std::string& extension) {
 }
 
 // A raster of the ground, and its triangles where it is a TIN.
-TinGround ReadGround(const TerrainFiles& files, std::vector<std::string>* notes) {
+TinGround ReadGround(const TerrainFiles& files, const LoadProgress& progress,
+                     std::vector<std::string>* notes) {
   const std::string extension = LowerExtension(files.elevation);
   const bool is_raster = !IsTin(extension) && !IsOctreeExtension(extension);
   if (!is_raster && !files.more_elevation.empty()) {
@@ -54,13 +61,14 @@ TinGround ReadGround(const TerrainFiles& files, std::vector<std::string>* notes)
   }
   if (IsTin(extension)) return LoadTin(files, notes);
   if (IsOctreeExtension(extension)) return {ExtractGround(files, notes), nullptr};
-  TinGround ground{LoadElevation(ElevationRequest(files)), nullptr};
+  TinGround ground{LoadElevation(ElevationRequest(files, progress)), nullptr};
   if (!ground.raster.note.empty()) notes->push_back(ground.raster.note);
   return ground;
 }
 
-TinGround LoadGround(const TerrainFiles& files, std::vector<std::string>* notes) {
-  TinGround ground = ReadGround(files, notes);
+TinGround LoadGround(const TerrainFiles& files, const LoadProgress& progress,
+                     std::vector<std::string>* notes) {
+  TinGround ground = ReadGround(files, progress, notes);
   if (files.unknown_ground == UnknownGround::kForbid) return ground;
   const double share = FillUnknown(files.fill_distance, &ground.raster);
   char text[120];
@@ -91,11 +99,12 @@ ObstacleMap LoadObstacleLayer(const TerrainFiles& files, const ElevationRaster& 
 
 }  // namespace
 
-std::shared_ptr<const Terrain> LoadTerrain(const TerrainFiles& files) {
+std::shared_ptr<const Terrain> LoadTerrain(const TerrainFiles& files,
+                                           const LoadProgress& progress) {
   std::vector<std::string> notes;
-  const TinGround ground = LoadGround(files, &notes);
+  TinGround ground = LoadGround(files, progress, &notes);
   LocalFrame frame = MakeFrame(ground.raster);
-  HeightMap heights = MakeHeights(ground.raster, frame);
+  HeightMap heights = MakeHeights(files, frame, &ground.raster);
   MaterialMap materials = LoadMaterials(files, ground.raster, frame, &notes);
   ObstacleMap obstacles = LoadObstacleLayer(files, ground.raster, heights, frame);
   auto terrain = std::make_shared<Terrain>(std::move(frame), std::move(heights),

@@ -20,17 +20,18 @@ struct Window {
 };
 
 std::vector<Eigen::Vector2d> PlacesInFile(const RasterRequest& request, const RasterFile& file) {
-  if (!request.places_in_wgs84 || file.crs() == nullptr) return request.places;
+  std::vector<Eigen::Vector2d> places = request.places;
+  if (request.wgs84_places.empty() || file.crs() == nullptr) return places;
   OGRSpatialReference wgs84;
   wgs84.importFromEPSG(4326);
   wgs84.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
   const std::unique_ptr<OGRCoordinateTransformation> to_file(
       OGRCreateCoordinateTransformation(&wgs84, file.crs()));
-  std::vector<Eigen::Vector2d> places = request.places;
-  for (Eigen::Vector2d& place : places) {
+  for (Eigen::Vector2d place : request.wgs84_places) {
     if (!to_file || !to_file->Transform(1, &place.x(), &place.y())) {
       file.Fail("the places cannot be converted to its coordinate system");
     }
+    places.push_back(place);
   }
   return places;
 }

@@ -36,7 +36,7 @@ void AddVertices(const std::string& file, const aiMesh& part, TriangleMesh* mesh
     if (vertex.cwiseAbs().maxCoeff() > kFarthest) {
       Fail(file,
            "lies more than 100 km from its origin, too far for meshes in float; move its "
-           "origin and give it with --surface-origin");
+           "origin and give it with --dem-origin");
     }
     mesh->vertices.push_back(vertex);
   }

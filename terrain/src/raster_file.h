@@ -1,6 +1,6 @@
 #pragma once
 
-#include <dbd/terrain/height_map.h>
+#include <dbd/terrain/terrain.h>
 #include <gdal_priv.h>
 
 #include <cstddef>
@@ -20,8 +20,9 @@ struct RasterRequest {
   int band = 0;                    ///< counted from 1; 0: the only one
   std::string crs;                 ///< instead of the file's own; empty: the file's own
   double memory_limit = 4.0 * 1024 * 1024 * 1024;  ///< for the heights [bytes]
-  std::vector<Eigen::Vector2d> places;  ///< to cut a larger raster round; see TerrainFiles
-  bool places_in_wgs84 = false;
+  std::vector<Eigen::Vector2d> places;        ///< to cut a larger raster round; see TerrainFiles
+  std::vector<Eigen::Vector2d> wgs84_places;  ///< "
+  LoadProgress progress;                      ///< may be empty
 };
 
 /// A raster that was opened and can be used: one band of real numbers with a place on the map,

@@ -13,10 +13,11 @@ Terrain::Terrain(LocalFrame frame, HeightMap heights, MaterialMap materials, Obs
       obstacles_(std::move(obstacles)) {}
 
 void Terrain::Heights(int count, const double* x, const double* y, double* z) const {
-  heights_.Heights(count, x, y, z);
-  if (!tin_) return;
+  if (!tin_) return heights_.Heights(count, x, y, z);
   // Off the triangles the raster continues their heights.
-  for (int i = 0; i < count; ++i) tin_->FindHeight(x[i], y[i], &z[i]);
+  for (int i = 0; i < count; ++i) {
+    if (!tin_->FindHeight(x[i], y[i], &z[i])) z[i] = heights_.Height(x[i], y[i]);
+  }
 }
 
 void Terrain::Soils(int count, const double* x, const double* y, SoilSample* soil) const {

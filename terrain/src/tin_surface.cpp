@@ -72,15 +72,17 @@ TinSurface::TinSurface(std::vector<Eigen::Vector3d> vertices, std::vector<Triang
   for (Triangle& t : triangles) {
     if (TwiceArea(vertices[t[0]], vertices[t[1]], vertices[t[2]]) < 0) std::swap(t[1], t[2]);
   }
-  MakeFacets(vertices, triangles);
-  MakeBins(vertices, triangles);
-  FindHighest(vertices, triangles);
+  const std::vector<Facet> facets = MakeFacets(vertices, triangles);
+  const std::vector<std::uint32_t> in_bins = MakeBins(vertices, triangles);
+  FindHighest(vertices, triangles, in_bins);
+  bin_facets_.reserve(in_bins.size());
+  for (const std::uint32_t i : in_bins) bin_facets_.push_back(facets[i]);
   CountRims(triangles);
   SampleOverlaps();
 }
 
-void TinSurface::MakeFacets(const std::vector<Eigen::Vector3d>& vertices,
-                            const std::vector<Triangle>& triangles) {
+std::vector<TinSurface::Facet> TinSurface::MakeFacets(const std::vector<Eigen::Vector3d>& vertices,
+                                                      const std::vector<Triangle>& triangles) {
   Eigen::Vector3d low = vertices[triangles[0][0]];
   Eigen::Vector3d high = low;
   double area = 0;
@@ -97,11 +99,13 @@ void TinSurface::MakeFacets(const std::vector<Eigen::Vector3d>& vertices,
   // In a mesh of n triangles there are about n / 2 vertices.
   spacing_ = std::sqrt(2 * area / static_cast<double>(triangles.size()));
   const Eigen::Vector3d origin(low.x(), low.y(), base_height_);
-  facets_.reserve(triangles.size());
+  std::vector<Facet> facets;
+  facets.reserve(triangles.size());
   for (const Triangle& t : triangles) {
-    facets_.push_back(
+    facets.push_back(
         MakeFacet({vertices[t[0]] - origin, vertices[t[1]] - origin, vertices[t[2]] - origin}));
   }
+  return facets;
 }
 
 TinSurface::Facet TinSurface::MakeFacet(const std::array<Eigen::Vector3d, 3>& p) {
@@ -119,8 +123,8 @@ TinSurface::Facet TinSurface::MakeFacet(const std::array<Eigen::Vector3d, 3>& p)
   return facet;
 }
 
-void TinSurface::MakeBins(const std::vector<Eigen::Vector3d>& vertices,
-                          const std::vector<Triangle>& triangles) {
+std::vector<std::uint32_t> TinSurface::MakeBins(const std::vector<Eigen::Vector3d>& vertices,
+                                                const std::vector<Triangle>& triangles) {
   constexpr double kMostBins = 5e7;
   const Eigen::Vector2d size = high_ - low_;
   bin_size_ = std::max(spacing_, std::sqrt(size.prod() / kMostBins));
@@ -145,16 +149,18 @@ void TinSurface::MakeBins(const std::vector<Eigen::Vector3d>& vertices,
   };
   for (const Triangle& t : triangles) for_each_bin(t, [&](std::size_t b) { ++bin_begin_[b + 1]; });
   for (std::size_t b = 1; b < bin_begin_.size(); ++b) bin_begin_[b] += bin_begin_[b - 1];
-  bin_facets_.resize(bin_begin_.back());
+  std::vector<std::uint32_t> in_bins(bin_begin_.back());
   std::vector<std::uint32_t> next(bin_begin_.begin(), bin_begin_.end() - 1);
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     for_each_bin(triangles[i],
-                 [&](std::size_t b) { bin_facets_[next[b]++] = static_cast<std::uint32_t>(i); });
+                 [&](std::size_t b) { in_bins[next[b]++] = static_cast<std::uint32_t>(i); });
   }
+  return in_bins;
 }
 
 void TinSurface::FindHighest(const std::vector<Eigen::Vector3d>& vertices,
-                             const std::vector<Triangle>& triangles) {
+                             const std::vector<Triangle>& triangles,
+                             const std::vector<std::uint32_t>& in_bins) {
   const auto none = -std::numeric_limits<float>::infinity();
   const auto bin_at = [this](int column, int row) {
     return static_cast<std::size_t>(row) * bin_columns_ + column;
@@ -162,7 +168,7 @@ void TinSurface::FindHighest(const std::vector<Eigen::Vector3d>& vertices,
   std::vector<float> highest(bin_begin_.size() - 1, none);
   for (std::size_t b = 0; b < highest.size(); ++b) {
     for (std::uint32_t i = bin_begin_[b]; i < bin_begin_[b + 1]; ++i) {
-      for (const std::uint32_t v : triangles[bin_facets_[i]]) {
+      for (const std::uint32_t v : triangles[in_bins[i]]) {
         highest[b] = std::max(highest[b], static_cast<float>(vertices[v].z() - base_height_));
       }
     }
@@ -231,7 +237,7 @@ int TinSurface::CountSheets(double x, double y) const {
   const std::size_t bin = static_cast<std::size_t>(v / bin_size_) * bin_columns_ +
                           static_cast<std::size_t>(u / bin_size_);
   for (std::uint32_t i = bin_begin_[bin]; i < bin_begin_[bin + 1]; ++i) {
-    const Facet& facet = facets_[bin_facets_[i]];
+    const Facet& facet = bin_facets_[i];
     const Eigen::Vector3f place(u, v, 1.0F);
     const bool inside = std::all_of(facet.edges.begin(), facet.edges.end(),
                                     [&](const auto& edge) { return edge.dot(place) >= 0.0F; });
@@ -250,7 +256,7 @@ bool TinSurface::FindHeight(double x, double y, double* z) const {
                           static_cast<std::size_t>(u / bin_size_);
   float lowest = std::numeric_limits<float>::infinity();
   for (std::uint32_t i = bin_begin_[bin]; i < bin_begin_[bin + 1]; ++i) {
-    const Facet& facet = facets_[bin_facets_[i]];
+    const Facet& facet = bin_facets_[i];
     if (facet.edges[0].dot(place) < -kSeam || facet.edges[1].dot(place) < -kSeam ||
         facet.edges[2].dot(place) < -kSeam) {
       continue;
@@ -263,8 +269,7 @@ bool TinSurface::FindHeight(double x, double y, double* z) const {
 }
 
 std::size_t TinSurface::memory_bytes() const {
-  return facets_.size() * sizeof(Facet) +
-         (bin_begin_.size() + bin_facets_.size()) * sizeof(std::uint32_t) +
+  return bin_facets_.size() * sizeof(Facet) + bin_begin_.size() * sizeof(std::uint32_t) +
          highest_nearby_.size() * sizeof(float);
 }
 

@@ -96,9 +96,9 @@ GDALDatasetUniquePtr ToDataset(const ElevationRaster& raster) {
 
 GDALDatasetUniquePtr Warp(GDALDataset* source, int epsg) {
   const std::string target = "EPSG:" + std::to_string(epsg);
-  std::array<const char*, 13> arguments = {"-of", "VRT",      "-t_srs",     target.c_str(),
-                                           "-r",  "bilinear", "-dstnodata", "nan",
-                                           "-et", "0.01",     nullptr};
+  std::array<const char*, 13> arguments = {"-of", "VRT",   "-t_srs",     target.c_str(),
+                                           "-r",  "cubic", "-dstnodata", "nan",
+                                           "-et", "0.01",  nullptr};
   const std::unique_ptr<GDALWarpAppOptions, decltype(&GDALWarpAppOptionsFree)> options(
       GDALWarpAppOptionsNew(const_cast<char**>(arguments.data()), nullptr),
       &GDALWarpAppOptionsFree);

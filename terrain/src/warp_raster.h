@@ -13,8 +13,9 @@ namespace dbd {
 /// feet, or stretched like Web Mercator. `grid` is in coordinates of `crs`.
 bool NeedsWarp(const OGRSpatialReference& crs, const HeightMap::Grid& grid);
 
-/// Resamples (bilinear) to the UTM zone of the centre, polar stereographic beyond UTM, at about
-/// the same resolution with square cells. Throws InputError with `name`.
+/// Resamples (cubic: bilinear would smooth the ground) to the UTM zone of the centre, polar
+/// stereographic beyond UTM, at about the same resolution with square cells. Throws InputError with
+/// `name`.
 void WarpToUtm(const std::string& name, std::size_t bytes_per_cell, double memory_limit,
                ElevationRaster* raster);
 

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "apps/temporary_directory.h"
+#include "support/temporary_directory.h"
 
 namespace dbd {
 namespace {
@@ -17,12 +17,12 @@ class GnuplotTest : public testing::Test {
  protected:
   GnuplotTest() : path_(std::getenv("PATH")) {
     setenv("PATH", scratch_.path().c_str(), 1);
-    std::filesystem::create_directory(scratch_ / "work");
+    std::filesystem::create_directory(scratch_.File("work"));
   }
   ~GnuplotTest() override { setenv("PATH", path_.c_str(), 1); }
 
   void Install(const std::string& shell_script) {
-    const std::string file = scratch_ / "gnuplot";
+    const std::string file = scratch_.File("gnuplot");
     std::ofstream(file) << "#!/bin/sh\n" << shell_script;
     chmod(file.c_str(), 0755);
   }
@@ -49,9 +49,9 @@ TEST_F(GnuplotTest, SaysWhatToInstall) {
 
 TEST_F(GnuplotTest, RunsTheScriptWhereItLies) {
   Install("while read -r line; do echo \"$line\"; done < \"$1\" > seen\n");
-  std::ofstream(scratch_ / "work/a b.gp") << "plot x\n";
-  Gnuplot("--plots").Run(scratch_ / "work/a b.gp");
-  std::ifstream seen(scratch_ / "work/seen");
+  std::ofstream(scratch_.File("work/a b.gp")) << "plot x\n";
+  Gnuplot("--plots").Run(scratch_.File("work/a b.gp"));
+  std::ifstream seen(scratch_.File("work/seen"));
   std::string line;
   std::getline(seen, line);
   EXPECT_EQ(line, "plot x");
@@ -60,8 +60,9 @@ TEST_F(GnuplotTest, RunsTheScriptWhereItLies) {
 TEST_F(GnuplotTest, PassesTheComplaintOn) {
   Install(
       "echo 'plot y' >&2; echo '     ^' >&2; echo 'line 1: undefined variable: y' >&2; exit 1\n");
-  EXPECT_EQ(ErrorOf([&] { Gnuplot("--plots").Run(scratch_ / "work/a.gp"); }),
-            "--plots: " + scratch_ / "gnuplot" + " failed on a.gp: line 1: undefined variable: y");
+  EXPECT_EQ(
+      ErrorOf([&] { Gnuplot("--plots").Run(scratch_.File("work/a.gp")); }),
+      "--plots: " + scratch_.File("gnuplot") + " failed on a.gp: line 1: undefined variable: y");
 }
 
 TEST(QuoteForGnuplot, LeavesNothingToExpand) {

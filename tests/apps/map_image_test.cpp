@@ -7,8 +7,8 @@
 #include <array>
 
 #include "apps/synthetic_plan.h"
-#include "apps/temporary_directory.h"
 #include "map_canvas.h"
+#include "support/temporary_directory.h"
 
 namespace dbd {
 namespace {
@@ -63,8 +63,8 @@ std::array<int, 3> Rgb(const Color& color) {
 
 TEST(MapImage, HasTheMapBetweenTitleAndLegend) {
   const TemporaryDirectory scratch;
-  WriteMapImage(scratch / "map.png", MakeSlope(""), StraightRoute());
-  const Image image(scratch / "map.png");
+  WriteMapImage(scratch.File("map.png"), MakeSlope(""), StraightRoute());
+  const Image image(scratch.File("map.png"));
   EXPECT_EQ(image.width(), kMapImageWidth);
   EXPECT_GE(image.height(), kMapTitleHeight + 700 + 60);
   EXPECT_LE(image.height(), kMapTitleHeight + 700 + 160);
@@ -72,8 +72,8 @@ TEST(MapImage, HasTheMapBetweenTitleAndLegend) {
 
 TEST(MapImage, TheRouteIsWhereItWasDriven) {
   const TemporaryDirectory scratch;
-  WriteMapImage(scratch / "map.png", MakeSlope(""), StraightRoute());
-  const Image image(scratch / "map.png");
+  WriteMapImage(scratch.File("map.png"), MakeSlope(""), StraightRoute());
+  const Image image(scratch.File("map.png"));
   EXPECT_EQ(PixelAt(image, 100, 50), Rgb(kRouteColor));
   EXPECT_EQ(PixelAt(image, 150, 50), Rgb(kRouteColor));
   EXPECT_NE(PixelAt(image, 100, 30), Rgb(kRouteColor));
@@ -87,14 +87,14 @@ TEST(MapImage, ACrossMarksTheBlockedPlace) {
   const TemporaryDirectory scratch;
   MapContent content = StraightRoute();
   content.blocked = Eigen::Vector2d(60, 20);
-  WriteMapImage(scratch / "map.png", MakeSlope(""), content);
-  EXPECT_EQ(PixelAt(Image(scratch / "map.png"), 60, 20), Rgb(kBlockedColor));
+  WriteMapImage(scratch.File("map.png"), MakeSlope(""), content);
+  EXPECT_EQ(PixelAt(Image(scratch.File("map.png")), 60, 20), Rgb(kBlockedColor));
 }
 
 TEST(MapImage, LowGroundIsGreenAndHighGroundPale) {
   const TemporaryDirectory scratch;
-  WriteMapImage(scratch / "map.png", MakeSlope(""), MapContent());
-  const Image image(scratch / "map.png");
+  WriteMapImage(scratch.File("map.png"), MakeSlope(""), MapContent());
+  const Image image(scratch.File("map.png"));
   const auto west = PixelAt(image, 5, 52);
   const auto east = PixelAt(image, 195, 52);
   EXPECT_GT(west[1], west[0]);

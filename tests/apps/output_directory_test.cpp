@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "apps/temporary_directory.h"
+#include "support/temporary_directory.h"
 #include "text.h"
 
 namespace dbd {
@@ -23,25 +23,26 @@ std::vector<std::string> NamesIn(const fs::path& directory) {
 
 TEST(OutputDirectory, ProbingLeavesNothingBehind) {
   const TemporaryDirectory scratch;
-  { const OutputDirectory output(scratch / "a/b/out"); }
+  { const OutputDirectory output(scratch.File("a/b/out")); }
   EXPECT_THAT(NamesIn(scratch.path()), testing::IsEmpty());
 }
 
 TEST(OutputDirectory, FilesAppearTogetherOnCommit) {
   const TemporaryDirectory scratch;
-  OutputDirectory output(scratch / "a/out/");
+  OutputDirectory output(scratch.File("a/out/"));
   WriteTextFile(output.Stage("map.png"), "1");
   WriteTextFile(output.Stage("plan.json"), "2");
-  EXPECT_FALSE(fs::exists(scratch / "a/out"));
+  EXPECT_FALSE(fs::exists(scratch.File("a/out")));
   output.Commit();
-  EXPECT_THAT(NamesIn(scratch / "a/out"), testing::UnorderedElementsAre("map.png", "plan.json"));
-  EXPECT_THAT(NamesIn(scratch / "a"), testing::ElementsAre("out"));
+  EXPECT_THAT(NamesIn(scratch.File("a/out")),
+              testing::UnorderedElementsAre("map.png", "plan.json"));
+  EXPECT_THAT(NamesIn(scratch.File("a")), testing::ElementsAre("out"));
 }
 
 TEST(OutputDirectory, WithoutCommitNothingIsLeft) {
   const TemporaryDirectory scratch;
   {
-    OutputDirectory output(scratch / "a/out");
+    OutputDirectory output(scratch.File("a/out"));
     WriteTextFile(output.Stage("map.png"), "1");
   }
   EXPECT_THAT(NamesIn(scratch.path()), testing::IsEmpty());
@@ -49,27 +50,28 @@ TEST(OutputDirectory, WithoutCommitNothingIsLeft) {
 
 TEST(OutputDirectory, AnOldAnswerIsNotMixedWithTheNewOne) {
   const TemporaryDirectory scratch;
-  fs::create_directory(scratch / "out");
-  WriteTextFile(scratch / "out/route.gpx", "old route");
-  WriteTextFile(scratch / "out/plan.json", "old plan");
-  WriteTextFile(scratch / "out/notes.txt", "the user's own");
-  OutputDirectory output(scratch / "out");
+  fs::create_directory(scratch.File("out"));
+  WriteTextFile(scratch.File("out/route.gpx"), "old route");
+  WriteTextFile(scratch.File("out/plan.json"), "old plan");
+  WriteTextFile(scratch.File("out/notes.txt"), "the user's own");
+  OutputDirectory output(scratch.File("out"));
   WriteTextFile(output.Stage("plan.json"), "no route");
   output.Commit();
-  EXPECT_THAT(NamesIn(scratch / "out"), testing::UnorderedElementsAre("plan.json", "notes.txt"));
-  std::ifstream plan(scratch / "out/plan.json");
+  EXPECT_THAT(NamesIn(scratch.File("out")),
+              testing::UnorderedElementsAre("plan.json", "notes.txt"));
+  std::ifstream plan(scratch.File("out/plan.json"));
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(plan), {}), "no route");
 }
 
 TEST(OutputDirectory, RefusesAFileAndAPlaceBelowAFile) {
   const TemporaryDirectory scratch;
-  WriteTextFile(scratch / "file", "");
+  WriteTextFile(scratch.File("file"), "");
   for (const char* name : {"file", "file/out", "file/deeper/out"}) {
     try {
-      const OutputDirectory output(scratch / name);
+      const OutputDirectory output(scratch.File(name));
       FAIL() << name;
     } catch (const InputError& error) {
-      EXPECT_THAT(error.what(), testing::StartsWith("--out " + (scratch / name) + ": "));
+      EXPECT_THAT(error.what(), testing::StartsWith("--out " + scratch.File(name) + ": "));
     }
   }
   EXPECT_THAT(NamesIn(scratch.path()), testing::ElementsAre("file"));

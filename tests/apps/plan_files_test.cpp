@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/synthetic_plan.h"
-#include "apps/temporary_directory.h"
+#include "support/temporary_directory.h"
 
 namespace dbd {
 namespace {
@@ -52,19 +52,19 @@ std::vector<std::string> NamesIn(const std::string& directory) {
 
 TEST(PlanFiles, ARouteHasAllFiles) {
   const TemporaryDirectory scratch;
-  Write(MakePlan(kUtm33), scratch / "out");
+  Write(MakePlan(kUtm33), scratch.File("out"));
   EXPECT_THAT(
-      NamesIn(scratch / "out"),
+      NamesIn(scratch.File("out")),
       testing::UnorderedElementsAre("plan.json", "map.png", "candidates.geojson", "trace.csv",
                                     "route.geojson", "route.gpx", "route.kml", "route.gpkg"));
 }
 
 TEST(PlanFiles, ANoGoHasNoRouteFiles) {
   const TemporaryDirectory scratch;
-  Write(MakeNoGoPlan(kUtm33), scratch / "out");
-  EXPECT_THAT(NamesIn(scratch / "out"),
+  Write(MakeNoGoPlan(kUtm33), scratch.File("out"));
+  EXPECT_THAT(NamesIn(scratch.File("out")),
               testing::UnorderedElementsAre("plan.json", "map.png", "candidates.geojson"));
-  const json plan = ReadJson(scratch / "out/plan.json");
+  const json plan = ReadJson(scratch.File("out/plan.json"));
   EXPECT_EQ(plan["status"], "no_go");
   EXPECT_EQ(plan["route"], nullptr);
   EXPECT_EQ(plan["certificate"], nullptr);
@@ -73,16 +73,16 @@ TEST(PlanFiles, ANoGoHasNoRouteFiles) {
 
 TEST(PlanFiles, WithoutCoordinateSystemTheRouteIsCsv) {
   const TemporaryDirectory scratch;
-  Write(MakePlan(""), scratch / "out");
-  EXPECT_THAT(NamesIn(scratch / "out"),
+  Write(MakePlan(""), scratch.File("out"));
+  EXPECT_THAT(NamesIn(scratch.File("out")),
               testing::UnorderedElementsAre("plan.json", "map.png", "trace.csv", "route.csv"));
 }
 
 TEST(PlanFiles, RouteGeoJsonIsALineAtTheRightPlaceOnEarth) {
   const TemporaryDirectory scratch;
   const SyntheticPlan made = MakePlan(kUtm33);
-  Write(made, scratch / "out");
-  const Layer layer(scratch / "out/route.geojson");
+  Write(made, scratch.File("out"));
+  const Layer layer(scratch.File("out/route.geojson"));
   ASSERT_TRUE(layer);
   ASSERT_EQ(layer->GetFeatureCount(), 1);
   const OGRFeatureUniquePtr feature(layer->GetNextFeature());
@@ -99,8 +99,8 @@ TEST(PlanFiles, RouteGeoJsonIsALineAtTheRightPlaceOnEarth) {
 
 TEST(PlanFiles, GpxIsATrackWithHeights) {
   const TemporaryDirectory scratch;
-  Write(MakePlan(kUtm33), scratch / "out");
-  const Layer points(scratch / "out/route.gpx", "track_points");
+  Write(MakePlan(kUtm33), scratch.File("out"));
+  const Layer points(scratch.File("out/route.gpx"), "track_points");
   ASSERT_TRUE(points);
   EXPECT_EQ(points->GetFeatureCount(), 641);
   const OGRFeatureUniquePtr first(points->GetNextFeature());
@@ -110,8 +110,8 @@ TEST(PlanFiles, GpxIsATrackWithHeights) {
 
 TEST(PlanFiles, CandidatesHaveLinesAndThePlacesWhereTheyEnded) {
   const TemporaryDirectory scratch;
-  Write(MakePlan(kUtm33), scratch / "out");
-  const json features = ReadJson(scratch / "out/candidates.geojson")["features"];
+  Write(MakePlan(kUtm33), scratch.File("out"));
+  const json features = ReadJson(scratch.File("out/candidates.geojson"))["features"];
   ASSERT_EQ(features.size(), 3);  // two lines and the end of candidate 1
   EXPECT_EQ(features[0]["properties"]["chosen"], true);
   EXPECT_EQ(features[0]["properties"]["score"], 42.5);

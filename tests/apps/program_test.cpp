@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "apps/temporary_directory.h"
+#include "support/temporary_directory.h"
 
 namespace dbd {
 namespace {
@@ -43,8 +43,8 @@ class Program : public testing::Test {
     scratch_ = nullptr;
   }
 
-  static std::string Land(const std::string& file) { return *scratch_ / ("land/" + file); }
-  static std::string Scratch(const std::string& file) { return *scratch_ / file; }
+  static std::string Land(const std::string& file) { return scratch_->File("land/" + file); }
+  static std::string Scratch(const std::string& file) { return scratch_->File(file); }
 
   static Ending RunDbd(const std::string& arguments) {
     const std::string out = Scratch("stdout");
@@ -177,8 +177,33 @@ TEST_F(Program, RefusesWrongUsage) {
                 "--start: '12,abc' is not X,Y or X,Y,HEADING_DEG");
 }
 
+TEST_F(Program, RefusesWrongUseOfScenes) {
+  ExpectRefusal("scenario", "A, B, C, D or a scene");
+  ExpectRefusal("scenario convoy --vehicles 0", "--vehicles: Value 0 not in range 1 to 2000");
+  ExpectRefusal("scenario convoy --compare x.csv", "--compare");
+  ExpectRefusal("scenario A convoy", "name: has no meaning before a scene's name");
+  ExpectRefusal("scenario road-train --trailer boat", "trailer \"boat\" is not known");
+  ExpectRefusal("scenario convoy --terrain /nonexistent.csv", "/nonexistent.csv");
+}
+
+TEST_F(Program, SceneIsTheSameForAnyNumberOfThreads) {
+  const auto drive = [](const std::string& threads) {
+    const std::string file = Scratch("given" + threads + ".csv");
+    const Ending run =
+        RunDbd("scenario convoy --vehicles 4 --threads " + threads + " --out " + file);
+    EXPECT_EQ(run.exit_code, 0) << run.errors;
+    EXPECT_THAT(run.output, HasSubstr("Scene convoy with 4 x tomcar-tm27"));
+    return Read(file);
+  };
+  const std::string alone = drive("1");
+  EXPECT_THAT(alone, testing::StartsWith("t,vehicle,x,y,z,yaw,"));
+  EXPECT_GT(alone.size(), 10000u);
+  EXPECT_EQ(alone, drive("2"));
+}
+
 TEST_F(Program, HelpOfEverySubCommandEndsWithAnExample) {
-  for (const char* command : {"plan", "simulate", "terrain", "terrain generate", "terrain info",
+  for (const char* command : {"plan", "simulate", "scenario", "scenario convoy",
+                              "scenario road-train", "terrain", "terrain generate", "terrain info",
                               "vehicle", "vehicle list", "vehicle show", "vehicle check"}) {
     const Ending run = RunDbd(std::string(command) + " --help");
     EXPECT_EQ(run.exit_code, 0);

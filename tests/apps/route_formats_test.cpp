@@ -6,8 +6,8 @@
 #include <ogrsf_frmts.h>
 
 #include "geojson.h"
+#include "support/temporary_directory.h"
 #include "synthetic_plan.h"
-#include "temporary_directory.h"
 #include "text.h"
 
 namespace dbd {
@@ -32,7 +32,7 @@ class RouteFormats : public testing::Test {
     return worst;
   }
 
-  std::string File(const char* name) { return scratch_ / name; }
+  std::string File(const char* name) { return scratch_.File(name); }
 
   TemporaryDirectory scratch_;
   SyntheticPlan plan_;

@@ -9,7 +9,7 @@
 #include <numbers>
 #include <sstream>
 
-#include "apps/temporary_directory.h"
+#include "support/temporary_directory.h"
 
 namespace dbd {
 namespace {
@@ -57,7 +57,7 @@ class ScenarioPlotsTest : public testing::Test {
     output.Commit();
   }
 
-  std::string Path(const std::string& file) const { return scratch_ / ("plots/" + file); }
+  std::string Path(const std::string& file) const { return scratch_.File("plots/" + file); }
 
   static void ExpectPng(const std::string& file) {
     std::ifstream stream(file, std::ios::binary);

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "apps/synthetic_plan.h"
-#include "apps/temporary_directory.h"
+#include "support/temporary_directory.h"
 
 namespace dbd {
 namespace {
@@ -13,7 +13,7 @@ using testing::HasSubstr;
 TEST(Summary, SaysWhatWasFoundAndHowTightItIs) {
   const TemporaryDirectory scratch;
   const SyntheticPlan made = MakePlan(kUtm33);
-  const std::string text = PlanSummary(made.record(), OutputDirectory(scratch / "out"));
+  const std::string text = PlanSummary(made.record(), OutputDirectory(scratch.File("out")));
   EXPECT_THAT(text, HasSubstr("Route found: candidate 0 (roadmap)"));
   // 160 m in 32 s is 5 m/s = 18 km/h; 36 kJ / 3.6 MJ = 0.01 kWh.
   EXPECT_THAT(text, HasSubstr("160 m in 32.0 s, mean 18.0 km/h, 0.01 kWh"));
@@ -25,7 +25,7 @@ TEST(Summary, SaysWhatWasFoundAndHowTightItIs) {
 TEST(Summary, SaysWhyAndWhereThereIsNoRoute) {
   const TemporaryDirectory scratch;
   const SyntheticPlan made = MakeNoGoPlan(kUtm33);
-  const std::string text = PlanSummary(made.record(), OutputDirectory(scratch / "out"));
+  const std::string text = PlanSummary(made.record(), OutputDirectory(scratch.File("out")));
   EXPECT_THAT(text, HasSubstr("No safe route: every candidate stops at the bank"));
   EXPECT_THAT(text, HasSubstr("at 500100.0, 5000060.0"));
 }

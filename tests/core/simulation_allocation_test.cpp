@@ -1,5 +1,6 @@
 // Driving allocates no memory: this file counts every allocation of the test program's threads.
 #include <dbd/core/scenario.h>
+#include <dbd/core/scene.h>
 #include <dbd/core/simulation.h>
 #include <gtest/gtest.h>
 
@@ -52,6 +53,23 @@ TEST(SimulationAllocation, DriverAndViewsAllocateNothing) {
   }
   EXPECT_EQ(allocations, before);
   EXPECT_GT(load, 0);
+}
+
+TEST(SimulationAllocation, SceneAllocatesNothing) {
+  const auto ground = MakePlaneGround(0, 0);
+  const auto car = std::make_shared<const VehicleModel>(Tm27());
+  const auto driver = std::make_shared<const Driver>(*car, Path({{-20, 0}, {50, 0}}),
+                                                     DriverOptions{.target_speed = 3});
+  std::vector<SceneVehicle> vehicles(3, {.model = car, .driver = driver});
+  for (int i = 0; i < 3; ++i) {
+    vehicles[static_cast<std::size_t>(i)].position.x() = -3.2 * i;
+    vehicles[static_cast<std::size_t>(i)].ahead = i - 1;
+  }
+  Scene scene(vehicles, *ground);
+  SerialExecutor serial;
+  const long before = allocations;
+  for (int i = 0; i < 5; ++i) scene.Advance(0.1, serial);
+  EXPECT_EQ(allocations, before);
 }
 
 }  // namespace

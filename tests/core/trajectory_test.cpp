@@ -2,12 +2,10 @@
 #include <gmock/gmock.h>
 
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <numbers>
 
 #include "support/core_vehicle.h"
+#include "support/temporary_directory.h"
 
 namespace dbd {
 namespace {
@@ -60,19 +58,7 @@ TEST(CompareTrajectories, NeedsASecondInCommon) {
 
 class TrajectoryFile : public testing::Test {
  protected:
-  TrajectoryFile() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "dbd-core-XXXXXX").string();
-    directory_ = mkdtemp(pattern.data());
-  }
-  ~TrajectoryFile() override { std::filesystem::remove_all(directory_); }
-
-  std::string Write(const std::string& text) {
-    const std::string file = directory_ + "/given.csv";
-    std::ofstream(file) << text;
-    return file;
-  }
-
-  std::string directory_;
+  TemporaryDirectory directory_;
 };
 
 TEST_F(TrajectoryFile, ComesBackAsItWasWritten) {
@@ -80,7 +66,7 @@ TEST_F(TrajectoryFile, ComesBackAsItWasWritten) {
   rows[7].pitch = -0.012345678;
   rows[7].spring_force = {1, -2, 3.5, 4e4};
   rows[7].tire_force = {5, 6, 7, 8};
-  const std::string file = directory_ + "/rows.csv";
+  const std::string file = directory_.File("rows.csv");
   WriteTrajectory(file, rows);
   const auto read = ReadTrajectory(file);
   ASSERT_EQ(read.size(), rows.size());
@@ -93,7 +79,7 @@ TEST_F(TrajectoryFile, ComesBackAsItWasWritten) {
 TEST_F(TrajectoryFile, BadRowsAreNamed) {
   const std::string row = "0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18\n";
   const auto message = [this](const std::string& text) {
-    const std::string file = Write(text);
+    const std::string file = directory_.Write("given.csv", text);
     return InputErrorOf([&file] { ReadTrajectory(file); });
   };
   EXPECT_THAT(message("header\n" + row + "1,2\n"), HasSubstr("given.csv, line 3: must have 19"));

@@ -126,7 +126,7 @@ TEST(Trafficability, NamesWhatIsInTheWay) {
   EXPECT_EQ(ReasonAtMiddle(layer, 0.1, 8, kEast), NoGoReason::kOutsideMap);
   EXPECT_EQ(ReasonAtMiddle(layer, std::nan(""), 8, kEast), NoGoReason::kOutsideMap);
   EXPECT_TRUE(std::isinf(layer.SecondsPerMetre(6, 8, kEast)));
-  EXPECT_EQ(ReasonAtMiddle(layer, 14, 8, kEast), NoGoReason::kNone);
+  EXPECT_EQ(ReasonAtMiddle(layer, 13, 8, kEast), NoGoReason::kNone);
 }
 
 TEST(Trafficability, ObstaclesAreMetByTheOrientedBox) {

@@ -1,44 +1,21 @@
 #pragma once
 
 #include <dbd/core/error.h>
+#include <dbd/terrain/terrain.h>
 #include <gdal_priv.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "support/temporary_directory.h"
+
 namespace dbd {
-
-/// A fresh directory under the system's temporary one, removed at the end.
-class TemporaryDirectory {
- public:
-  TemporaryDirectory() {
-    std::string pattern = (std::filesystem::temp_directory_path() / "dbd_terrain_XXXXXX").string();
-    path_ = mkdtemp(pattern.data());
-  }
-  ~TemporaryDirectory() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryDirectory(const TemporaryDirectory&) = delete;
-  TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
-
-  std::string File(const std::string& name) const { return (path_ / name).string(); }
-  std::string Write(const std::string& name, const std::string& text) const {
-    std::ofstream(File(name), std::ios::binary) << text;
-    return File(name);
-  }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// A GeoTIFF to be written; `value(column, row)` with the file's own row order.
 struct TestRaster {
@@ -87,6 +64,18 @@ struct TestRaster {
     return file;
   }
 };
+
+/// Terrain of an elevation file alone.
+inline std::shared_ptr<const Terrain> LoadElevationOnly(const std::string& file) {
+  TerrainFiles files;
+  files.elevation = file;
+  return LoadTerrain(files);
+}
+
+inline double HeightAtMap(const Terrain& terrain, double x, double y) {
+  const Eigen::Vector2d local = terrain.frame().ToLocal({x, y});
+  return terrain.Height(local.x(), local.y());
+}
 
 /// Message of the InputError that `action` throws; empty when it throws none.
 inline std::string ErrorOf(const std::function<void()>& action) {

@@ -11,17 +11,6 @@ namespace {
 
 using testing::HasSubstr;
 
-std::shared_ptr<const Terrain> LoadElevation(const std::string& file) {
-  TerrainFiles files;
-  files.elevation = file;
-  return LoadTerrain(files);
-}
-
-double HeightAtMap(const Terrain& terrain, double x, double y) {
-  const Eigen::Vector2d local = terrain.frame().ToLocal({x, y});
-  return terrain.Height(local.x(), local.y());
-}
-
 class LoadElevationTest : public testing::Test {
  protected:
   TemporaryDirectory directory_;
@@ -30,7 +19,7 @@ class LoadElevationTest : public testing::Test {
 
 TEST_F(LoadElevationTest, PlacesCellCentres) {
   raster_.value = [](int column, int row) { return 10 * column + row; };
-  const auto terrain = LoadElevation(raster_.Write(directory_.File("a.tif")));
+  const auto terrain = LoadElevationOnly(raster_.Write(directory_.File("a.tif")));
   // The centre of column 2, row 0 (north) is half a cell in from the corner 500000, 5200000.
   EXPECT_NEAR(HeightAtMap(*terrain, 500002.5, 5199999.5), 20, 1e-5);
   EXPECT_NEAR(HeightAtMap(*terrain, 500000.5, 5199997.5), 2, 1e-5);
@@ -40,14 +29,14 @@ TEST_F(LoadElevationTest, PlacesCellCentres) {
 TEST_F(LoadElevationTest, ReadsSouthUpRasters) {
   raster_.transform = {500000, 1, 0, 5200000, 0, 1};
   raster_.value = [](int, int row) { return row; };
-  const auto terrain = LoadElevation(raster_.Write(directory_.File("a.tif")));
+  const auto terrain = LoadElevationOnly(raster_.Write(directory_.File("a.tif")));
   EXPECT_NEAR(HeightAtMap(*terrain, 500001, 5200002.5), 2, 1e-5);
 }
 
 TEST_F(LoadElevationTest, ReadsCellsThatAreNotSquare) {
   raster_.transform = {500000, 2, 0, 5200000, 0, -5};
   raster_.value = [](int column, int row) { return column - row; };
-  const auto terrain = LoadElevation(raster_.Write(directory_.File("a.tif")));
+  const auto terrain = LoadElevationOnly(raster_.Write(directory_.File("a.tif")));
   EXPECT_EQ(terrain->heights().grid().cell_size, Eigen::Vector2d(2, 5));
   // Column 1 is at 500003, row 1 at 5199992.5.
   EXPECT_NEAR(HeightAtMap(*terrain, 500003, 5199992.5), 0, 1e-5);
@@ -61,7 +50,7 @@ TEST_F(LoadElevationTest, KeepsNodataAndNotANumberUnknown) {
     const double odd[] = {-5, std::nan(""), -9999, 3.4e38};
     return odd[column];
   };
-  const auto terrain = LoadElevation(raster_.Write(directory_.File("a.tif")));
+  const auto terrain = LoadElevationOnly(raster_.Write(directory_.File("a.tif")));
   EXPECT_DOUBLE_EQ(terrain->heights().unknown_share(), 4.0 / 12.0);
   EXPECT_NEAR(HeightAtMap(*terrain, 500002, 5199999.5), 1, 1e-5);
   const Eigen::Vector2d place = terrain->frame().ToLocal({500002, 5199999});
@@ -74,23 +63,23 @@ TEST_F(LoadElevationTest, AppliesScaleOffsetAndUnit) {
   raster_.offset = 100;
   raster_.value = [](int, int) { return 250; };
   // 250 * 0.1 + 100 = 125.
-  EXPECT_NEAR(LoadElevation(raster_.Write(directory_.File("a.tif")))->Height(0, 0), 125, 1e-5);
+  EXPECT_NEAR(LoadElevationOnly(raster_.Write(directory_.File("a.tif")))->Height(0, 0), 125, 1e-5);
   raster_.unit = "ft";
   // 125 ft * 0.3048 = 38.1 m.
-  EXPECT_NEAR(LoadElevation(raster_.Write(directory_.File("b.tif")))->Height(0, 0), 38.1, 1e-5);
+  EXPECT_NEAR(LoadElevationOnly(raster_.Write(directory_.File("b.tif")))->Height(0, 0), 38.1, 1e-5);
 }
 
 TEST_F(LoadElevationTest, KeepsMillimetresOnASummit) {
   raster_.type = GDT_Float64;
   raster_.value = [](int column, int) { return 8000 + 1e-4 * column; };
-  const auto terrain = LoadElevation(raster_.Write(directory_.File("a.tif")));
+  const auto terrain = LoadElevationOnly(raster_.Write(directory_.File("a.tif")));
   EXPECT_NEAR(HeightAtMap(*terrain, 500002.5, 5199999), 8000.0002, 1e-7);
 }
 
 TEST_F(LoadElevationTest, UsesAPlainGridWithoutCrs) {
   raster_.crs = "";
   raster_.value = [](int column, int) { return column; };
-  const auto terrain = LoadElevation(raster_.Write(directory_.File("a.tif")));
+  const auto terrain = LoadElevationOnly(raster_.Write(directory_.File("a.tif")));
   EXPECT_FALSE(terrain->frame().has_crs());
   EXPECT_NEAR(HeightAtMap(*terrain, 500001.5, 5199999), 1, 1e-5);
 }
@@ -110,7 +99,7 @@ TEST_F(LoadElevationTest, ReadsHeightsInTheUnitOfTheVerticalSystem) {
   raster_.crs = "EPSG:32633+6360";  // NAVD88 height (ftUS)
   raster_.value = [](int, int) { return 3937; };
   // 3937 US survey feet are 1200 m by definition.
-  EXPECT_NEAR(LoadElevation(raster_.Write(directory_.File("a.tif")))->Height(0, 0), 1200, 1e-3);
+  EXPECT_NEAR(LoadElevationOnly(raster_.Write(directory_.File("a.tif")))->Height(0, 0), 1200, 1e-3);
 }
 
 TEST_F(LoadElevationTest, WarpsGridsInFeet) {
@@ -119,7 +108,7 @@ TEST_F(LoadElevationTest, WarpsGridsInFeet) {
   raster_.transform = {6500000, 10, 0, 1850000, 0, -10};
   raster_.unit = "ft";
   raster_.value = [](int column, int) { return column; };
-  const auto terrain = LoadElevation(raster_.Write(directory_.File("a.tif")));
+  const auto terrain = LoadElevationOnly(raster_.Write(directory_.File("a.tif")));
   EXPECT_NEAR(terrain->heights().grid().cell_size.x(), 3.048, 0.05);
   // Column 20 of heights in feet.
   const Eigen::Vector2d local = terrain->frame().FromSource({6500205, 1850000 - 255});
@@ -132,10 +121,10 @@ TEST_F(LoadElevationTest, ShiftsPixelIsPointByHalfACell) {
   raster_.Write(directory_.File("point.tif"));
   // Stored as the place of the first centre: GDAL moves the corner back by half a cell, so that
   // what was written as a corner reads the same.
-  const auto terrain = LoadElevation(directory_.File("point.tif"));
+  const auto terrain = LoadElevationOnly(directory_.File("point.tif"));
   EXPECT_NEAR(HeightAtMap(*terrain, 500002.5, 5199999.5), 2, 1e-5);
   CPLSetConfigOption("GTIFF_POINT_GEO_IGNORE", "TRUE");
-  const auto ignored = LoadElevation(directory_.File("point.tif"));
+  const auto ignored = LoadElevationOnly(directory_.File("point.tif"));
   CPLSetConfigOption("GTIFF_POINT_GEO_IGNORE", nullptr);
   EXPECT_NEAR(ignored->frame().ToMap(ignored->heights().min_corner()).x() -
                   terrain->frame().ToMap(terrain->heights().min_corner()).x(),
@@ -202,7 +191,7 @@ TEST_F(LoadElevationTest, WarpsGeographicRasters) {
   raster_.transform = {14.5, 1e-5, 0, 46.5, 0, -1e-5};
   raster_.crs = "EPSG:4326";
   raster_.value = [](int column, int row) { return column * 0.5 + row * 0.25; };
-  const auto terrain = LoadElevation(raster_.Write(directory_.File("a.tif")));
+  const auto terrain = LoadElevationOnly(raster_.Write(directory_.File("a.tif")));
   EXPECT_THAT(terrain->frame().CrsName(), HasSubstr("EPSG:32633"));
   // Column 40, row 70 lies at 14.5 + 40.5e-5, 46.5 - 70.5e-5; its height is 20 + 17.5.
   const Eigen::Vector2d local = terrain->frame().FromSource({14.5 + 40.5e-5, 46.5 - 70.5e-5});
@@ -218,14 +207,14 @@ TEST_F(LoadElevationTest, WarpsMapsThatStretchTheGround) {
   raster_.crs = "EPSG:3857";
   raster_.transform = {1600000, 10, 0, 5800000, 0, -10};
   raster_.value = [](int column, int) { return column; };
-  const auto terrain = LoadElevation(raster_.Write(directory_.File("a.tif")));
+  const auto terrain = LoadElevationOnly(raster_.Write(directory_.File("a.tif")));
   // At 46 degrees north Web Mercator shows 1 m as 1 / cos(46 deg) = 1.44 m: a cell is 6.9 m.
   EXPECT_NEAR(terrain->heights().grid().cell_size.x(), 6.9, 0.2);
 }
 
 TEST_F(LoadElevationTest, RefusesWithOneLine) {
   const std::string file = directory_.File("a.tif");
-  const auto message = [&] { return ErrorOf([&] { LoadElevation(raster_.Write(file)); }); };
+  const auto message = [&] { return ErrorOf([&] { LoadElevationOnly(raster_.Write(file)); }); };
   raster_.bands = 2;
   EXPECT_EQ(message(), file + ": holds 2 bands, one must be chosen");
   raster_ = {};
@@ -246,12 +235,13 @@ TEST_F(LoadElevationTest, RefusesWithOneLine) {
 }
 
 TEST_F(LoadElevationTest, RefusesWhatIsNoRaster) {
-  EXPECT_EQ(ErrorOf([] { LoadElevation("/does/not/exist.tif"); }),
+  EXPECT_EQ(ErrorOf([] { LoadElevationOnly("/does/not/exist.tif"); }),
             "/does/not/exist.tif: no such file");
-  EXPECT_THAT(ErrorOf([&] { LoadElevation(directory_.path().string()); }), HasSubstr("directory"));
+  EXPECT_THAT(ErrorOf([&] { LoadElevationOnly(directory_.path().string()); }),
+              HasSubstr("directory"));
   const std::string text = directory_.Write("a.tif", "hello");
   testing::internal::CaptureStderr();
-  EXPECT_THAT(ErrorOf([&] { LoadElevation(text); }), HasSubstr("cannot be read as a raster"));
+  EXPECT_THAT(ErrorOf([&] { LoadElevationOnly(text); }), HasSubstr("cannot be read as a raster"));
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
@@ -260,7 +250,7 @@ TEST_F(LoadElevationTest, RefusesTruncatedRasters) {
   const std::string file = raster_.Write(directory_.File("a.tif"));
   std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
   testing::internal::CaptureStderr();
-  EXPECT_THAT(ErrorOf([&] { LoadElevation(file); }), HasSubstr(file));
+  EXPECT_THAT(ErrorOf([&] { LoadElevationOnly(file); }), HasSubstr(file));
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
@@ -269,7 +259,7 @@ TEST_F(LoadElevationTest, RefusesWhatDoesNotFitIntoMemory) {
       "huge.vrt",
       "<VRTDataset rasterXSize=\"200000\" rasterYSize=\"200000\"><GeoTransform>0,1,0,0,0,-1"
       "</GeoTransform><VRTRasterBand dataType=\"Float32\" band=\"1\"/></VRTDataset>");
-  EXPECT_THAT(ErrorOf([&] { LoadElevation(file); }), HasSubstr("GB of memory"));
+  EXPECT_THAT(ErrorOf([&] { LoadElevationOnly(file); }), HasSubstr("GB of memory"));
 }
 
 }  // namespace

@@ -11,12 +11,6 @@ namespace {
 
 using testing::HasSubstr;
 
-std::shared_ptr<const Terrain> LoadElevation(const std::string& file) {
-  TerrainFiles files;
-  files.elevation = file;
-  return LoadTerrain(files);
-}
-
 class LoadTerrainTest : public testing::Test {
  protected:
   TemporaryDirectory directory_;
@@ -111,20 +105,20 @@ TEST(LoadTerrain, ReadsRealRasters) {
   };
   if (SharedFile(rasters[0].file).empty()) GTEST_SKIP() << "no shared data";
   for (const RealRaster& real : rasters) {
-    const auto terrain = LoadElevation(SharedFile(real.file));
+    const auto terrain = LoadElevationOnly(SharedFile(real.file));
     EXPECT_EQ(terrain->heights().grid().columns, real.columns) << real.file;
     EXPECT_EQ(terrain->heights().grid().rows, real.rows) << real.file;
     EXPECT_NEAR(terrain->heights().lowest(), real.lowest, 0.01) << real.file;
     EXPECT_NEAR(terrain->heights().highest(), real.highest, 0.01) << real.file;
   }
-  EXPECT_NEAR(LoadElevation(SharedFile("dem/avaAlr_5m_holes.tif"))->heights().unknown_share(),
+  EXPECT_NEAR(LoadElevationOnly(SharedFile("dem/avaAlr_5m_holes.tif"))->heights().unknown_share(),
               0.306, 0.001);
 }
 
 TEST(LoadTerrain, WarpsARealGeographicRaster) {
   const std::string file = SharedFile("dem/tahoe_lidar_bareearth.tif");
   if (file.empty()) GTEST_SKIP() << "no shared data";
-  const auto terrain = LoadElevation(file);
+  const auto terrain = LoadElevationOnly(file);
   EXPECT_NEAR(terrain->heights().lowest(), 2495.4, 0.1);
   EXPECT_NEAR(terrain->heights().highest(), 2526.95, 0.1);
   // 400 x 0.47 m by 400 x 0.61 m.
@@ -168,7 +162,7 @@ TEST(LoadTerrain, SurvivesEveryMalformedFile) {
   int refused = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(directory)) {
     if (!entry.is_regular_file()) continue;
-    const std::string message = ErrorOf([&] { LoadElevation(entry.path().string()); });
+    const std::string message = ErrorOf([&] { LoadElevationOnly(entry.path().string()); });
     if (message.empty()) continue;
     ++refused;
     EXPECT_THAT(message, HasSubstr(entry.path().filename().string()));

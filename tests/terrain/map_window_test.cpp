@@ -2,7 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <limits>
+#include <algorithm>
+#include <vector>
 
 #include "support/terrain_files.h"
 
@@ -10,11 +11,6 @@ namespace dbd {
 namespace {
 
 using testing::HasSubstr;
-
-double HeightAtMap(const Terrain& terrain, double x, double y) {
-  const Eigen::Vector2d local = terrain.frame().ToLocal({x, y});
-  return terrain.Height(local.x(), local.y());
-}
 
 class MapWindowTest : public testing::Test {
  protected:
@@ -65,6 +61,40 @@ TEST_F(MapWindowTest, CutsTheRightWindow) {
   EXPECT_LT(terrain->heights().grid().columns, 1100);
   EXPECT_NEAR(HeightAtMap(*terrain, 500900.5, 5199699.5), 77, 1e-4);
   EXPECT_NEAR(HeightAtMap(*terrain, 500901.5, 5199699.5), 0, 1e-4);
+}
+
+TEST_F(MapWindowTest, TakesPlacesInDegreesToo) {
+  raster_.columns = 1500;
+  raster_.rows = 600;
+  raster_.type = GDT_Byte;
+  TerrainFiles files;
+  files.elevation = raster_.Write(directory_.File("a.tif"));
+  files.memory_limit = 8e5 * 2 * 21;
+  // On the central meridian of zone 33, easting 500000; 5200000 m north is 46.9528 deg on it.
+  files.places = {{500300.5, 5199699.5}};
+  files.wgs84_places = {{15.001, 46.949}};
+  const auto terrain = LoadTerrain(files);
+  EXPECT_LT(terrain->heights().grid().columns, 1400);
+  const Eigen::Vector2d place = terrain->frame().FromWgs84({15.001, 46.949});
+  EXPECT_TRUE(terrain->IsKnown(place.x(), place.y()));
+}
+
+TEST_F(MapWindowTest, TellsTheNeedBeforeTheFirstRowAndThenTheRows) {
+  raster_.columns = 2000;
+  raster_.rows = 500;
+  raster_.type = GDT_Byte;
+  TerrainFiles files;
+  files.elevation = raster_.Write(directory_.File("a.tif"));
+  std::vector<int> rows;
+  LoadTerrain(files, [&rows](const std::string& stage, int done, int total) {
+    EXPECT_EQ(stage, "elevation, 0.02 GB, row");  // 1e6 cells of 21 bytes
+    EXPECT_EQ(total, 500);
+    rows.push_back(done);
+  });
+  EXPECT_EQ(rows.front(), 0);
+  EXPECT_EQ(rows.back(), 500);
+  EXPECT_TRUE(std::is_sorted(rows.begin(), rows.end()));
+  EXPECT_LE(rows.size(), 101U);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <dbd/core/path.h>
 #include <dbd/core/vehicle_model.h>
 
+#include <limits>
 #include <vector>
 
 namespace dbd {
@@ -35,6 +36,8 @@ struct DriverView {
   double heading = 0;
   double speed = 0;  ///< forward [m/s]
   GoingView going = {};
+  /// What traffic ahead allows [m/s].
+  double speed_limit = std::numeric_limits<double>::infinity();
 };
 
 struct DriverCommand {

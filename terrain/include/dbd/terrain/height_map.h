@@ -35,7 +35,7 @@ class HeightMap {
 
   /// `heights`: rows x columns, row 0 first, relative to `base_height`, not finite = unknown.
   /// Throws InputError when the grid is smaller than 2 x 2 or no cell is known.
-  HeightMap(const Grid& grid, const std::vector<float>& heights, double base_height = 0.0);
+  HeightMap(const Grid& grid, std::vector<float> heights, double base_height = 0.0);
 
   double Height(double x, double y) const;
   void Heights(int count, const double* x, const double* y, double* z) const;

@@ -6,6 +6,7 @@
 #include <dbd/terrain/material_map.h>
 #include <dbd/terrain/obstacle_map.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,11 +34,11 @@ struct TerrainFiles {
   MapPlacement elevation_placement;  ///< of a mesh, of points or of an OctoMap
   bool rasterise_tin = false;        ///< drive on a raster of it instead of its triangles
   double surface_cell_size = 0;      ///< of rasters made from TIN or OctoMap [m]; 0: by its density
-  /// A raster that would need more than half of this memory [bytes] is cut to a window round
-  /// `places`, which are in the elevation's own coordinates; without places it is refused.
+  /// A raster that would need more than half of this memory [bytes] is cut to a window round the
+  /// places; without places it is refused.
   double memory_limit = 4.0 * 1024 * 1024 * 1024;
-  std::vector<Eigen::Vector2d> places;
-  bool places_in_wgs84 = false;  ///< they are longitude and latitude [deg] instead
+  std::vector<Eigen::Vector2d> places;        ///< in the elevation's own coordinates
+  std::vector<Eigen::Vector2d> wgs84_places;  ///< longitude and latitude [deg]
   std::string materials;             ///< class raster of integers, or polygons that OGR reads
   int materials_band = 0;            ///< counted from 1; 0: the only one
   std::string material_field;        ///< polygons' attribute: class number or material name; empty:
@@ -94,8 +95,13 @@ class Terrain final : public Ground {
   std::vector<std::string> notes_;
 };
 
+/// Called now and then while a terrain is loaded: what is done, how many rows of how many. What the
+/// elevation needs of memory is in the first call's text, before anything is allocated.
+using LoadProgress = std::function<void(const std::string& stage, int done, int total)>;
+
 /// Reads the files and brings all of them into one local frame.
 /// Throws InputError that names the file and what is wrong with it.
-std::shared_ptr<const Terrain> LoadTerrain(const TerrainFiles& files);
+std::shared_ptr<const Terrain> LoadTerrain(const TerrainFiles& files,
+                                           const LoadProgress& progress = {});
 
 }  // namespace dbd

@@ -51,12 +51,14 @@ class TinSurface {
 
   /// Counter-clockwise corners relative to (low_, base_height_).
   static Facet MakeFacet(const std::array<Eigen::Vector3d, 3>& corners);
-  void MakeFacets(const std::vector<Eigen::Vector3d>& vertices,
-                  const std::vector<Triangle>& triangles);
-  void MakeBins(const std::vector<Eigen::Vector3d>& vertices,
-                const std::vector<Triangle>& triangles);
+  std::vector<Facet> MakeFacets(const std::vector<Eigen::Vector3d>& vertices,
+                                const std::vector<Triangle>& triangles);
+  /// The triangles of each bin, one bin after the other; `bin_begin_` says where each begins.
+  std::vector<std::uint32_t> MakeBins(const std::vector<Eigen::Vector3d>& vertices,
+                                      const std::vector<Triangle>& triangles);
   void FindHighest(const std::vector<Eigen::Vector3d>& vertices,
-                   const std::vector<Triangle>& triangles);
+                   const std::vector<Triangle>& triangles,
+                   const std::vector<std::uint32_t>& in_bins);
   void CountRims(const std::vector<Triangle>& triangles);
   void SampleOverlaps();
   int CountSheets(double x, double y) const;
@@ -65,13 +67,12 @@ class TinSurface {
   Eigen::Vector2d high_ = Eigen::Vector2d::Zero();
   double base_height_ = 0;
   double spacing_ = 1;
-  std::vector<Facet> facets_;
   double bin_size_ = 1;
   int bin_columns_ = 0;
   int bin_rows_ = 0;
-  std::vector<std::uint32_t> bin_begin_;   // bins + 1, into bin_facets_
-  std::vector<std::uint32_t> bin_facets_;  // indices into facets_
-  std::vector<float> highest_nearby_;      // of a bin and its eight neighbours, above base_height_
+  std::vector<std::uint32_t> bin_begin_;  // bins + 1, into bin_facets_
+  std::vector<Facet> bin_facets_;         // copies, so that a bin is read as one piece
+  std::vector<float> highest_nearby_;     // of a bin and its eight neighbours, above base_height_
   Report report_;
 };
 
