@@ -6,7 +6,10 @@
 #include <cmath>
 #include <limits>
 
+#include "initial_state.h"
 #include "scene_vehicle.h"
+#include "state_hash.h"
+#include "vehicle_views.h"
 
 namespace dbd {
 namespace {
@@ -179,7 +182,7 @@ int Scene::body_count() const {
   return static_cast<int>(count);
 }
 
-ChassisView Scene::Chassis(int vehicle) const { return ViewChassis(impl_->ChassisOf(vehicle)); }
+ChassisView Scene::Chassis(int vehicle) const { return ViewOfChassis(impl_->ChassisOf(vehicle)); }
 
 double Scene::Gap(int vehicle) const {
   const int ahead = impl_->Member(vehicle).ahead;

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 
+#include "initial_state.h"
 #include "time_steps.h"
+#include "vehicle_views.h"
+#include "wheel_control.h"
 
 namespace dbd {
 namespace {
@@ -27,14 +30,15 @@ void Drive(const SceneKind& kind, std::size_t index, const SceneSurroundings& ar
     member.command = vehicle.command;
   } else {
     const BodyState<double>& chassis = member.state.bodies[0];
-    DriverView view = ViewForDriver(kind.model, chassis);
+    DriverView view = ViewOfDriver(kind.model, chassis);
     if (member.ahead >= 0) {
       const BodyState<double>& ahead = around.seen[member.ahead].chassis;
       view.speed_limit = SpeedBehind(BumperGap(around.couples[index], ahead, chassis), around.gap);
     }
     member.command = vehicle.driver->Update(view, dt, member.driver);
   }
-  SetControls(kind.model, member.command, member.state, dt, member.powertrain, member.controls);
+  SetControls(kind.model, member.command, SpinsOf(member.state), dt, member.powertrain,
+              member.controls);
 }
 
 /// Steered by its drawbar, braked as the vehicle that tows it was one step ago.
@@ -99,7 +103,7 @@ DBD_FLATTEN void StepMember(const SceneKind& kind, int index, const SceneSurroun
   GatherCouples(i, around, member, work.wrench[0]);
   IntegrateBodies(kind.model, kind.engine.gravity, kind.engine.step, work, state);
   ++state.step;
-  if (around.settling) DampMotion(kSettlingRate * kind.engine.step, state);
+  if (around.settling) DampMotion(1 - kSettlingRate * kind.engine.step, state);
   if (controls_now) member.sane = StateIsSane(kind.model, state, work);
   shown = {state.bodies[0], member.command.brake};
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <dbd/core/powertrain.h>
 #include <dbd/core/scene.h>
 
 #include <vector>
@@ -7,7 +8,6 @@
 #include "couple.h"
 #include "engine.h"
 #include "flatten.h"
-#include "vehicle_view.h"
 
 namespace dbd {
 

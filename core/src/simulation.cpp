@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "control_unit.h"
 #include "engine.h"
 #include "flatten.h"
 #include "guide_force.h"
@@ -11,17 +10,13 @@
 #include "state_hash.h"
 #include "vehicle_views.h"
 #include "vertical_tire.h"
+#include "wheel_control.h"
 
 namespace dbd {
 
 struct Simulation::Impl {
   Impl(const VehicleModel& model, const Ground& surface, const SimulationOptions& simulation)
-      : vehicle(model),
-        ground(surface),
-        options(simulation),
-        engine(model),
-        work(model),
-        control_unit(model) {}
+      : vehicle(model), ground(surface), options(simulation), engine(model), work(model) {}
 
   const VehicleModel& vehicle;
   const Ground& ground;
@@ -31,7 +26,7 @@ struct Simulation::Impl {
   Workspace<double> work;
   HeldWrenches held_tires;
   WheelControls<double> controls;
-  ControlUnit control_unit;
+  PowertrainState powertrain;
   double energy = 0;
   Vec3<double> last_v_WB{};  // of the chassis, one control step ago
 
@@ -55,15 +50,7 @@ struct Simulation::Impl {
       energy += std::max(0.0, tire.drive_power) * engine.step;
     }
   }
-
-  void SetControls(const DriverCommand& command, double dt);
 };
-
-void Simulation::Impl::SetControls(const DriverCommand& command, double dt) {
-  std::array<double, kMaxWheels> spins{};
-  for (std::size_t i = 0; i < state.wheels.size(); ++i) spins[i] = state.wheels[i].spin;
-  control_unit.Update(command, spins.data(), dt, controls);
-}
 
 /// The step of comparisons: another tire or scheme, or forces of a test rig.
 void Simulation::Impl::StepOnRig() {
@@ -92,8 +79,8 @@ Simulation::Simulation(Simulation&&) noexcept = default;
 void Simulation::Place(const Eigen::Vector2d& position, double heading, double settle_time) {
   Impl& s = *impl_;
   s.state = InitialState<double>(s.vehicle, s.ground, position, heading);
-  s.control_unit.Reset();
-  s.controls = s.control_unit.HeldByBrakes();
+  s.powertrain = {};
+  s.controls = HeldByBrakes(s.vehicle);
   const std::int64_t steps = s.engine.SettlingSteps(settle_time);
   for (std::int64_t i = 0; i < steps; ++i) {
     s.Step();
@@ -106,7 +93,7 @@ void Simulation::Place(const Eigen::Vector2d& position, double heading, double s
 
 void Simulation::Advance(const DriverCommand& command) {
   Impl& s = *impl_;
-  s.SetControls(command, control_step());
+  SetControls(s.vehicle, command, SpinsOf(s.state), control_step(), s.powertrain, s.controls);
   s.last_v_WB = s.state.bodies[0].v_WB;
   for (int i = 0; i < s.engine.control_every; ++i) {
     s.Step();
@@ -116,7 +103,7 @@ void Simulation::Advance(const DriverCommand& command) {
 
 double Simulation::time() const { return impl_->Time(); }
 double Simulation::control_step() const { return impl_->engine.step * impl_->engine.control_every; }
-const PowertrainState& Simulation::powertrain() const { return impl_->control_unit.powertrain(); }
+const PowertrainState& Simulation::powertrain() const { return impl_->powertrain; }
 double Simulation::SpringForce(int index) const { return impl_->work.spring_force[index]; }
 double Simulation::LinkForce(int index) const { return impl_->work.link_force[index]; }
 double Simulation::drive_energy() const { return impl_->energy; }
@@ -148,28 +135,8 @@ double Simulation::VerticalAcceleration() const {
   return Dot(body.v_WB - impl_->last_v_WB, RotationMatrix(body.q_WB).z) / control_step();
 }
 
-bool Simulation::IsSane() const {
-  const Impl& s = *impl_;
-  for (const BodyState<double>& body : s.state.bodies) {
-    const double sum = body.p_WB.x + body.p_WB.y + body.p_WB.z + body.v_WB.x + body.v_WB.y +
-                       body.v_WB.z + body.q_WB.w + body.w_WB.x + body.w_WB.y + body.w_WB.z;
-    if (!std::isfinite(sum)) return false;
-  }
-  for (std::size_t i = 0; i < s.vehicle.links.size(); ++i) {
-    const LinkModel& link = s.vehicle.links[i];
-    if (!(std::abs(s.work.link_force[i]) < kTornLink * link.stiffness)) return false;
-  }
-  return true;
-}
+bool Simulation::IsSane() const { return StateIsSane(impl_->vehicle, impl_->state, impl_->work); }
 
-std::uint64_t Simulation::StateHash() const {
-  StateHasher hasher;
-  for (const BodyState<double>& body : impl_->state.bodies) hasher.Add(body);
-  for (const WheelState<double>& wheel : impl_->state.wheels) hasher.Add(wheel);
-  for (const PointContactState<double>& contact : impl_->state.contacts) hasher.Add(contact);
-  for (const double friction : impl_->state.frictions) hasher.Add(friction);
-  hasher.Add(impl_->control_unit.powertrain());
-  return hasher.value();
-}
+std::uint64_t Simulation::StateHash() const { return HashState(impl_->state, impl_->powertrain); }
 
 }  // namespace dbd

@@ -3,19 +3,17 @@
 
 #include <cmath>
 
-#include "control_unit.h"
 #include "initial_state.h"
 #include "lane_engine.h"
 #include "state_hash.h"
 #include "vehicle_views.h"
+#include "wheel_control.h"
 
 namespace dbd {
 namespace {
 
 /// What belongs to one lane beside the engine's numbers.
 struct Lane {
-  explicit Lane(const VehicleModel& vehicle) : control_unit(vehicle) {}
-
   enum class Phase { kEmpty, kWaiting, kSettling, kDriving };
   Phase phase = Phase::kEmpty;
   EngineState<double> start;        // while waiting
@@ -23,7 +21,7 @@ struct Lane {
   std::int64_t steps = 0;           // driven
   double energy = 0;
   Vec3<double> last_v_WB{};  // of the chassis, one control step ago
-  ControlUnit control_unit;
+  PowertrainState powertrain;
 };
 
 EngineState<double> DesignState(const VehicleModel& vehicle) {
@@ -49,7 +47,7 @@ struct SimulationLanes::Impl {
         times(model),
         engine(MakeLaneEngine(kind, model, surface)) {
     if (!engine) throw InputError("this processor has no lanes of " + LaneKindName(kind));
-    lanes.assign(static_cast<std::size_t>(engine->lanes()), Lane(model));
+    lanes.resize(static_cast<std::size_t>(engine->lanes()));
     orders.resize(lanes.size());
     for (int i = 0; i < engine->lanes(); ++i) engine->SetLane(i, DesignState(model));
   }
@@ -82,7 +80,7 @@ double SimulationLanes::control_step() const {
 void SimulationLanes::Place(int index, const Eigen::Vector2d& position, double heading,
                             double settle_time) {
   Lane& lane = impl_->lanes[static_cast<std::size_t>(index)];
-  lane = Lane(impl_->vehicle);
+  lane = Lane();
   lane.phase = Lane::Phase::kWaiting;
   lane.start = InitialState<double>(impl_->vehicle, impl_->ground, position, heading);
   lane.settling_steps = impl_->times.SettlingSteps(settle_time);
@@ -105,17 +103,18 @@ void SimulationLanes::Impl::GiveOrders(int index, const DriverCommand& command) 
     lane.phase = lane.settling_steps > 0 ? Lane::Phase::kSettling : Lane::Phase::kDriving;
   }
   if (lane.phase != Lane::Phase::kDriving) {
-    order.controls = lane.control_unit.HeldByBrakes();
+    order.controls = HeldByBrakes(vehicle);
     order.keep = lane.phase == Lane::Phase::kSettling ? 1 - kSettlingRate * times.step : 0;
     return;
   }
-  std::array<double, kMaxWheels> spins{};
+  WheelSpins spins{};
   for (std::size_t i = 0; i < vehicle.wheels.size(); ++i) {
     spins[i] = engine->Spin(index, static_cast<int>(i));
   }
   order.keep = 1;
   lane.last_v_WB = engine->Body(index, 0).v_WB;
-  lane.control_unit.Update(command, spins.data(), times.step * times.control_every, order.controls);
+  SetControls(vehicle, command, spins, times.step * times.control_every, lane.powertrain,
+              order.controls);
 }
 
 void SimulationLanes::Impl::Account(int index) {
@@ -167,7 +166,7 @@ double SimulationLanes::VerticalAcceleration(int lane) const {
 }
 
 const PowertrainState& SimulationLanes::powertrain(int lane) const {
-  return impl_->At(lane).control_unit.powertrain();
+  return impl_->At(lane).powertrain;
 }
 double SimulationLanes::SpringForce(int lane, int index) const {
   return impl_->engine->SpringForce(lane, index);
@@ -197,7 +196,7 @@ std::uint64_t SimulationLanes::StateHash(int lane) const {
   for (std::size_t i = 0; i < impl_->vehicle.wheels.size(); ++i) {
     hasher.Add(impl_->engine->Wheel(lane, static_cast<int>(i)));
   }
-  hasher.Add(impl_->At(lane).control_unit.powertrain());
+  hasher.Add(impl_->At(lane).powertrain);
   return hasher.value();
 }
 

@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include "engine_state.h"
+
 namespace dbd {
 
 /// FNV-1a over plain data, byte by byte.
@@ -27,5 +29,17 @@ class StateHasher {
  private:
   std::uint64_t value_ = 1469598103934665603ull;
 };
+
+/// Over a whole state, bit by bit: bodies, wheels, contacts, frictions, powertrain.
+inline std::uint64_t HashState(const EngineState<double>& state,
+                               const PowertrainState& powertrain) {
+  StateHasher hasher;
+  for (const BodyState<double>& body : state.bodies) hasher.Add(body);
+  for (const WheelState<double>& wheel : state.wheels) hasher.Add(wheel);
+  for (const PointContactState<double>& contact : state.contacts) hasher.Add(contact);
+  for (const double friction : state.frictions) hasher.Add(friction);
+  hasher.Add(powertrain);
+  return hasher.value();
+}
 
 }  // namespace dbd

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine_model.h"
 #include "initial_state.h"
 
 namespace dbd {
@@ -49,6 +50,20 @@ DriverView ViewOfDriver(const VehicleModel& vehicle, const BodyState<double>& ch
   const Mat3<double> R_WB = RotationMatrix(chassis.q_WB);
   const Vec3<double> rear = chassis.p_WB + R_WB * Broadcast<double>(SteeringOrigin(vehicle));
   return {{rear.x, rear.y}, std::atan2(R_WB.x.y, R_WB.x.x), Dot(chassis.v_WB, R_WB.x)};
+}
+
+bool StateIsSane(const VehicleModel& vehicle, const EngineState<double>& state,
+                 const Workspace<double>& work) {
+  for (const BodyState<double>& body : state.bodies) {
+    const double sum = body.p_WB.x + body.p_WB.y + body.p_WB.z + body.v_WB.x + body.v_WB.y +
+                       body.v_WB.z + body.q_WB.w + body.w_WB.x + body.w_WB.y + body.w_WB.z;
+    if (!std::isfinite(sum)) return false;
+  }
+  for (std::size_t i = 0; i < vehicle.links.size(); ++i) {
+    const double most = kTornLink * vehicle.links[i].stiffness;
+    if (!(std::abs(work.link_force[i]) < most)) return false;
+  }
+  return true;
 }
 
 }  // namespace dbd

@@ -16,4 +16,8 @@ WheelView ViewOfWheel(const WheelModel& wheel, const BodyState<double>& body,
 
 DriverView ViewOfDriver(const VehicleModel& vehicle, const BodyState<double>& chassis);
 
+/// Everything finite, no link torn in the last step.
+bool StateIsSane(const VehicleModel& vehicle, const EngineState<double>& state,
+                 const Workspace<double>& work);
+
 }  // namespace dbd

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <dbd/core/driver.h>
+#include <dbd/core/powertrain.h>
+#include <dbd/core/vehicle_model.h>
+
+#include "engine_state.h"
+
+namespace dbd {
+
+// From the driver's command to the torques and steer angles of a vehicle's wheels.
+
+using WheelSpins = std::array<double, kMaxWheels>;
+
+WheelSpins SpinsOf(const EngineState<double>& state);
+
+void SetSteeringAndBrakes(const VehicleModel& vehicle, const DriverCommand& command,
+                          WheelControls<double>& controls);
+
+/// With the drive too, which advances the powertrain by `dt`. The torque is shared evenly among
+/// driven wheels: open differentials; what locked and limited-slip ones move across is found with
+/// the spins.
+void SetControls(const VehicleModel& vehicle, const DriverCommand& command, const WheelSpins& spins,
+                 double dt, PowertrainState& powertrain, WheelControls<double>& controls);
+
+/// Full brakes, no drive.
+WheelControls<double> HeldByBrakes(const VehicleModel& vehicle);
+
+}  // namespace dbd
