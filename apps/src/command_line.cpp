@@ -264,7 +264,7 @@ void DeclareVehicle(CLI::App* app, Commands* commands) {
     command->callback(
         [commands, run] { commands->run = [commands, run] { return run(commands->vehicle); }; });
   };
-  declare("show", "Print a built-in vehicle's file", "NAME", RunVehicleShow);
+  declare("show", "Print a built-in vehicle's or trailer's file", "NAME", RunVehicleShow);
   declare("check", "Set a vehicle on level ground and report its statics", "NAME|FILE",
           RunVehicleCheck);
 }

@@ -37,7 +37,7 @@ void AddMemoryFlag(CLI::App* command, TerrainArguments* terrain) {
   command
       ->add_option("--memory-gb", terrain->memory_gb,
                    "Of a raster that would need more than half of this, the part round start and "
-                   "goal is loaded; default 4")
+                   "goal, or round the path, is loaded; default 4")
       ->check(CLI::Range(0.01, 1e4))
       ->option_text("GB");
 }

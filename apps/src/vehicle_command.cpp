@@ -1,9 +1,11 @@
 #include "vehicle_command.h"
 
+#include <dbd/core/trailer.h>
 #include <dbd/core/units.h>
 #include <dbd/core/vehicle_database.h>
 #include <dbd/core/vehicle_report.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -19,7 +21,9 @@ int RunVehicleList() {
 }
 
 int RunVehicleShow(const std::string& name) {
-  std::fputs(BuiltInVehicleText(name).c_str(), stdout);
+  const std::vector<std::string> trailers = BuiltInTrailerNames();
+  const bool is_trailer = std::find(trailers.begin(), trailers.end(), name) != trailers.end();
+  std::fputs((is_trailer ? BuiltInTrailerText(name) : BuiltInVehicleText(name)).c_str(), stdout);
   return kExitOk;
 }
 

@@ -57,6 +57,10 @@ std::string BuiltInVehicleText(const std::string& name) {
   return EmbeddedText(EmbeddedVehicleFiles(), "vehicle", name);
 }
 
+std::string BuiltInTrailerText(const std::string& name) {
+  return EmbeddedText(EmbeddedTrailerFiles(), "trailer", name);
+}
+
 std::shared_ptr<const VehicleModel> LoadVehicle(const std::string& name_or_file) {
   if (IsPath(name_or_file)) return ParseVehicle(ReadFile(name_or_file), name_or_file);
   return ParseVehicle(BuiltInVehicleText(name_or_file), name_or_file);
@@ -64,7 +68,7 @@ std::shared_ptr<const VehicleModel> LoadVehicle(const std::string& name_or_file)
 
 TrailerModel LoadTrailer(const std::string& name_or_file) {
   if (IsPath(name_or_file)) return ParseTrailer(ReadFile(name_or_file), name_or_file);
-  return ParseTrailer(EmbeddedText(EmbeddedTrailerFiles(), "trailer", name_or_file), name_or_file);
+  return ParseTrailer(BuiltInTrailerText(name_or_file), name_or_file);
 }
 
 }  // namespace dbd

@@ -96,9 +96,15 @@ ElevationRaster ExtractGround(const TerrainFiles& files, std::vector<std::string
   raster.grid = lowest.grid;
   raster.base_height = lowest.base_height;
   raster.heights = std::move(lowest.heights.heights);
+  const auto unknown = std::count_if(raster.heights.begin(), raster.heights.end(),
+                                     [](float height) { return std::isnan(height); });
   char text[160];
-  std::snprintf(text, sizeof text,
-                "the ground is extracted from voxels of %.3g m, on cells of %.3g m", voxel, cell);
+  std::snprintf(
+      text, sizeof text,
+      "the ground is extracted from voxels of %.3g m, on cells of %.3g m; under %.3g %% of "
+      "the area the OctoMap holds none",
+      voxel, cell,
+      100.0 * static_cast<double>(unknown) / static_cast<double>(raster.heights.size()));
   notes->emplace_back(text);
   return raster;
 }

@@ -16,29 +16,31 @@ bool HasSlope(const HeightMap& heights, int column, int row) {
          heights.IsCellKnown(column, row + 1);
 }
 
-// Angles [rad], in no order.
-std::vector<float> Slopes(const HeightMap& heights) {
+// Squares of the gradients, in no order; they sort as the angles do.
+std::vector<float> SquaredGradients(const HeightMap& heights) {
   const HeightMap::Grid& grid = heights.grid();
-  std::vector<float> slopes;
-  slopes.reserve(grid.CellCount());
+  const Eigen::Vector2d scale = (2 * grid.cell_size).cwiseInverse();
+  std::vector<float> squares;
+  squares.reserve(grid.CellCount());
   for (int row = 1; row + 1 < grid.rows; ++row) {
     for (int column = 1; column + 1 < grid.columns; ++column) {
       if (!HasSlope(heights, column, row)) continue;
       const double east = heights.CellHeight(column + 1, row) - heights.CellHeight(column - 1, row);
       const double north =
           heights.CellHeight(column, row + 1) - heights.CellHeight(column, row - 1);
-      slopes.push_back(static_cast<float>(std::atan(
-          std::hypot(east / (2 * grid.cell_size.x()), north / (2 * grid.cell_size.y())))));
+      squares.push_back(
+          static_cast<float>(std::pow(east * scale.x(), 2) + std::pow(north * scale.y(), 2)));
     }
   }
-  return slopes;
+  return squares;
 }
 
-double Quantile(double share, std::vector<float>* values) {
+// Angle [rad] that this share of the places is below.
+double SlopeQuantile(double share, std::vector<float>* values) {
   if (values->empty()) return 0;
   const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values->size() - 1));
   std::nth_element(values->begin(), values->begin() + rank, values->end());
-  return (*values)[static_cast<std::size_t>(rank)];
+  return std::atan(std::sqrt(double{(*values)[static_cast<std::size_t>(rank)]}));
 }
 
 void DescribeHeights(const Terrain& terrain, TerrainInfo* info) {
@@ -53,11 +55,11 @@ void DescribeHeights(const Terrain& terrain, TerrainInfo* info) {
   info->lowest = heights.lowest();
   info->highest = heights.highest();
   info->unknown_share = heights.unknown_share();
-  std::vector<float> slopes = Slopes(heights);
-  info->median_slope = Quantile(0.5, &slopes);
-  info->slope_90_percent = Quantile(0.9, &slopes);
-  info->slope_99_percent = Quantile(0.99, &slopes);
-  info->steepest_slope = Quantile(1.0, &slopes);
+  std::vector<float> squares = SquaredGradients(heights);
+  info->median_slope = SlopeQuantile(0.5, &squares);
+  info->slope_90_percent = SlopeQuantile(0.9, &squares);
+  info->slope_99_percent = SlopeQuantile(0.99, &squares);
+  info->steepest_slope = SlopeQuantile(1.0, &squares);
 }
 
 void DescribeMaterials(const MaterialMap& map, TerrainInfo* info) {

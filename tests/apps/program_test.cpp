@@ -177,6 +177,11 @@ TEST_F(Program, RefusesWrongUsage) {
                 "--start: '12,abc' is not X,Y or X,Y,HEADING_DEG");
 }
 
+TEST_F(Program, ShowsTheTrailerThatRoadTrainsUse) {
+  EXPECT_EQ(nlohmann::json::parse(RunDbd("vehicle show farm-trailer").output)["schema"],
+            "dbd.trailer/1");
+}
+
 TEST_F(Program, RefusesWrongUseOfScenes) {
   ExpectRefusal("scenario", "A, B, C, D or a scene");
   ExpectRefusal("scenario convoy --vehicles 0", "--vehicles: Value 0 not in range 1 to 2000");

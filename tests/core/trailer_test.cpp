@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
@@ -22,10 +21,7 @@ std::vector<SceneVehicle> Train(const Path& path) {
   return MakeRoadTrain(tractor, LoadTrailer("farm-trailer"), 2);
 }
 
-nlohmann::json TrailerJson() {
-  std::ifstream file(DBD_TEST_DIRECTORY "/../core/trailers/farm-trailer.json");
-  return nlohmann::json::parse(file);
-}
+nlohmann::json TrailerJson() { return nlohmann::json::parse(BuiltInTrailerText("farm-trailer")); }
 
 std::string MessageOf(const nlohmann::json& file) {
   return InputErrorOf([&] { ParseTrailer(file.dump(), "t.json"); });

@@ -18,6 +18,9 @@ struct TrailerModel {
 /// Names of the trailers that are built into the library.
 std::vector<std::string> BuiltInTrailerNames();
 
+/// The JSON text of a built-in trailer. Throws InputError that lists the names.
+std::string BuiltInTrailerText(const std::string& name);
+
 /// A built-in trailer by name, or a trailer file by path (anything that contains '/' or ends in
 /// ".json"; schema dbd.trailer/1: a vehicle file with a drawbar instead of a powertrain). Throws
 /// InputError that names the file, the key, the value and the rule.
