@@ -13,21 +13,22 @@ namespace dbd {
 // number by number and half the time of the processor's gather.
 
 template <int N>
-using CornerColumns = std::array<typename Pack<float, N>::Vector, 4>;
+using CornerColumns = std::array<Pack<float, N>, 4>;
 
 namespace corner_detail {
 
 template <int N>
-using Floats = typename Pack<float, N>::Vector;
+using Floats = Pack<float, N>;
 template <int N>
 using Order = typename Pack<float, N>::Integers;
 
 template <int N>
 Floats<2 * N> Join(const Floats<N>& a, const Floats<N>& b) {
   if constexpr (N == 4) {
-    return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7);
+    return Floats<8>(__builtin_shufflevector(a.v, b.v, 0, 1, 2, 3, 4, 5, 6, 7));
   } else {
-    return __builtin_shufflevector(a, b, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+    return Floats<16>(
+        __builtin_shufflevector(a.v, b.v, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15));
   }
 }
 
@@ -36,7 +37,7 @@ template <int N>
 Floats<N> EveryFourth(const float* pairs, const Order<N>& index, int lane) {
   const auto read = [&](int i) {
     Floats<4> four;
-    std::memcpy(&four, pairs + 2 * static_cast<std::int64_t>(index[i]), sizeof(four));
+    std::memcpy(&four.v, pairs + 2 * static_cast<std::int64_t>(index[i]), sizeof(four.v));
     return four;
   };
   if constexpr (N == 4) {
@@ -57,7 +58,7 @@ Floats<N> Interleave(const Floats<N>& a, const Floats<N>& b, int begin, int run)
     const int in_block = i % 4, pair = in_block / (2 * run), from_b = in_block / run % 2;
     order[i] = i - in_block + begin + pair + in_block % run + from_b * N;
   }
-  return __builtin_shuffle(a, b, order);
+  return Floats<N>(__builtin_shuffle(a.v, b.v, order));
 }
 
 }  // namespace corner_detail

@@ -6,6 +6,15 @@
 namespace dbd {
 namespace {
 
+/// Wheels on one body share its inertia.
+double CarrierInertia(const VehicleModel& model, int body) {
+  int wheels = 0;
+  for (const WheelModel& wheel : model.wheels) wheels += wheel.body == body;
+  return model.bodies[body].inertia.y() / wheels;
+}
+
+}  // namespace
+
 double CouplingTorque(const DifferentialModel& differential) {
   constexpr double kLockedTorque = 1e6;  // [N m] more than any axle carries
   switch (differential.type) {
@@ -18,15 +27,6 @@ double CouplingTorque(const DifferentialModel& differential) {
   }
   return 0;
 }
-
-/// Wheels on one body share its inertia.
-double CarrierInertia(const VehicleModel& model, int body) {
-  int wheels = 0;
-  for (const WheelModel& wheel : model.wheels) wheels += wheel.body == body;
-  return model.bodies[body].inertia.y() / wheels;
-}
-
-}  // namespace
 
 EngineModel::EngineModel(const VehicleModel& vehicle_model)
     : vehicle(&vehicle_model),

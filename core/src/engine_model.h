@@ -14,6 +14,9 @@ namespace dbd {
 /// A stiff link stretched by more than this has torn a body off [m].
 inline constexpr double kTornLink = 0.2;
 
+/// Largest torque that a differential moves across [N m].
+double CouplingTorque(const DifferentialModel& differential);
+
 /// What is constant for one vehicle and one choice of steps.
 struct EngineModel {
   /// `vehicle_model` must outlive it.

@@ -94,7 +94,7 @@ class LaneGrid {
   static Corners ReadCorners(const float* pairs, const Integers& index) {
     if constexpr (std::is_same_v<S, float>) {
       const CornerColumns<kLanes> columns = ReadCornerColumns<kLanes>(pairs, index);
-      return {Real(columns[0]), Real(columns[1]), Real(columns[2]), Real(columns[3])};
+      return {columns[0], columns[1], columns[2], columns[3]};
     } else {
       Corners c;
       for (int i = 0; i < kLanes; ++i) {

@@ -61,7 +61,8 @@ double Path::NearestArcLength(const Eigen::Vector2d& p, double s_from, double s_
     const double segment = arc_lengths_[i + 1] - arc_lengths_[i];
     const double along = (p - points_[i]).dot(d) / segment;
     const double s = std::clamp(arc_lengths_[i] + std::clamp(along, 0.0, segment), s_from, s_to);
-    const double distance = (Position(s) - p).squaredNorm();
+    const Eigen::Vector2d q = points_[i] + (s - arc_lengths_[i]) / segment * d;
+    const double distance = (q - p).squaredNorm();
     if (distance < best_distance) best_distance = distance, best_s = s;
   }
   return best_s;

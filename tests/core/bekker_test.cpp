@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "janosi_share.h"
-#include "support/core_pack2.h"
+#include "pack.h"
 #include "support/core_printed.h"
 #include "support/core_test_tires.h"
 
@@ -75,12 +75,19 @@ TEST(Bekker, SharesSeriesMeetsTheClosedForm) {
   }
 }
 
+using Pack2 = Pack<double, 2>;
+
+Pack2 Both(double first, double second) {
+  const double lanes[2] = {first, second};
+  return LaneTraits<Pack2>::Load(lanes);
+}
+
 TEST(Bekker, LanesOfAPackDoNotTouchEachOther) {
-  const auto pack = JanosiShareOf(Pack2(0.03, 5.0));
-  EXPECT_EQ(pack.share.a, JanosiShareOf(0.03).share);
-  EXPECT_EQ(pack.share.b, JanosiShareOf(5.0).share);
-  EXPECT_EQ(pack.slope.a, JanosiShareOf(0.03).slope);
-  EXPECT_EQ(pack.slope.b, JanosiShareOf(5.0).slope);
+  const auto pack = JanosiShareOf(Both(0.03, 5.0));
+  EXPECT_DOUBLE_EQ(pack.share.v[0], JanosiShareOf(0.03).share);
+  EXPECT_DOUBLE_EQ(pack.share.v[1], JanosiShareOf(5.0).share);
+  EXPECT_DOUBLE_EQ(pack.slope.v[0], JanosiShareOf(0.03).slope);
+  EXPECT_DOUBLE_EQ(pack.slope.v[1], JanosiShareOf(5.0).slope);
 }
 
 TEST(BekkerWheel, EverythingVanishesWithTheLoad) {

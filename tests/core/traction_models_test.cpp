@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "pack.h"
 #include "soil_rule.h"
-#include "support/core_pack2.h"
 #include "support/core_vehicle.h"
 #include "tire_force.h"
 
@@ -44,25 +44,32 @@ struct RollingWheel {
   WheelState<double> wheel{};
 };
 
+using Pack2 = Pack<double, 2>;
+
+Pack2 Both(double first, double second) {
+  const double lanes[2] = {first, second};
+  return LaneTraits<Pack2>::Load(lanes);
+}
+
 TEST(TractionModels, BrixiusIsUntouchedByOtherLanes) {
   const TireModel& tire = Tm27().wheels[0].tire;
   TireContact<Pack2> contact{};
   contact.cone_index = Pack2(300e3);
-  contact.rule.model = Pack2(0, 2);
-  contact.rule.capacity = Pack2(0, 0.5);
-  contact.rule.shear_rate = Pack2(0, 10);
+  contact.rule.model = Both(0, 2);
+  contact.rule.capacity = Both(0, 0.5);
+  contact.rule.shear_rate = Both(0, 10);
   TractionCurve<Pack2> curve = BrixiusCurve(tire.traction, Pack2(20), Pack2(0.1));
   SelectTractionModel(tire, contact, Pack2(2000), curve);
   const TractionCurve<double> alone = BrixiusCurve(tire.traction, 20.0, 0.1);
-  EXPECT_EQ(curve.capacity.a, alone.capacity);
-  EXPECT_EQ(curve.rate.a, alone.rate);
-  EXPECT_EQ(curve.resistance.a, alone.resistance);
-  EXPECT_EQ(curve.carcass.a, alone.carcass);
+  EXPECT_DOUBLE_EQ(curve.capacity.v[0], alone.capacity);
+  EXPECT_DOUBLE_EQ(curve.rate.v[0], alone.rate);
+  EXPECT_DOUBLE_EQ(curve.resistance.v[0], alone.resistance);
+  EXPECT_DOUBLE_EQ(curve.carcass.v[0], alone.carcass);
   const ShearForce<Pack2> shear = ShearAt(curve, Pack2(1000), Pack2(0.1));
-  EXPECT_EQ(shear.force.a, ShearAt(alone, 1000.0, 0.1).force);
-  EXPECT_EQ(shear.stiffness.a, ShearAt(alone, 1000.0, 0.1).stiffness);
-  EXPECT_EQ(curve.capacity.b, 0.5);
-  EXPECT_EQ(curve.janosi.b, 1);
+  EXPECT_DOUBLE_EQ(shear.force.v[0], ShearAt(alone, 1000.0, 0.1).force);
+  EXPECT_DOUBLE_EQ(shear.stiffness.v[0], ShearAt(alone, 1000.0, 0.1).stiffness);
+  EXPECT_DOUBLE_EQ(curve.capacity.v[1], 0.5);
+  EXPECT_DOUBLE_EQ(curve.janosi.v[1], 1);
 }
 
 TEST(TractionModels, WismerLuthOfTheEngineIsThePublishedOne) {
