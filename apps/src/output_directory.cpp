@@ -21,8 +21,8 @@ fs::path Normalized(const std::string& directory) {
 }  // namespace
 
 std::vector<std::string> OutputDirectory::AnswerFiles() {
-  return {"plan.json", "simulate.json", "map.png",   "candidates.geojson",
-          "trace.csv", "route.geojson", "route.gpx", "route.kml", "route.gpkg", "route.csv"};
+  return {"plan.json",     "simulate.json", "map.png",   "candidates.geojson", "trace.csv",
+          "route.geojson", "route.gpx",     "route.kml", "route.gpkg",         "route.csv"};
 }
 
 OutputDirectory::OutputDirectory(const std::string& directory, const std::string& flag,
