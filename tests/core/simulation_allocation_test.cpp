@@ -2,6 +2,7 @@
 #include <dbd/core/scenario.h>
 #include <dbd/core/scene.h>
 #include <dbd/core/simulation.h>
+#include <dbd/core/simulation_lanes.h>
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -12,19 +13,33 @@
 namespace {
 thread_local long allocations = 0;
 
-void* Counted(std::size_t size) {
+void* Allocate(std::size_t size) {
   ++allocations;
-  if (void* memory = std::malloc(size == 0 ? 1 : size)) return memory;
-  throw std::bad_alloc();
+  return std::malloc(size == 0 ? 1 : size);
+}
+
+void* OrThrow(void* memory) {
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
 }
 }  // namespace
 
-void* operator new(std::size_t size) { return Counted(size); }
-void* operator new[](std::size_t size) { return Counted(size); }
+// All forms that are in use here, so that each delete meets the new that belongs to it.
+void* operator new(std::size_t size) { return OrThrow(Allocate(size)); }
+void* operator new[](std::size_t size) { return OrThrow(Allocate(size)); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept { return Allocate(size); }
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept { return Allocate(size); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  ++allocations;
+  const auto unit = static_cast<std::size_t>(alignment);
+  return OrThrow(std::aligned_alloc(unit, (size + unit - 1) / unit * unit));
+}
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete[](void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
 
 namespace dbd {
 namespace {
@@ -53,6 +68,18 @@ TEST(SimulationAllocation, DriverAndViewsAllocateNothing) {
   }
   EXPECT_EQ(allocations, before);
   EXPECT_GT(load, 0);
+}
+
+TEST(SimulationAllocation, LanesAllocateNothing) {
+  const auto ground = MakeRandomGround(0, 0.1, 0.5, 2);
+  SimulationLanes lanes(Tm27(), *ground);
+  for (int lane = 0; lane < lanes.lanes(); ++lane) lanes.Place(lane, {0.5 * lane, 0}, 0, 0.1);
+  const std::vector<DriverCommand> commands(static_cast<std::size_t>(lanes.lanes()),
+                                            {.steer = 0.1, .engine_torque = 60});
+  const long before = allocations;
+  for (int i = 0; i < 250; ++i) lanes.Advance(commands);
+  EXPECT_EQ(allocations, before);
+  EXPECT_TRUE(lanes.driving(0));
 }
 
 TEST(SimulationAllocation, SceneAllocatesNothing) {
