@@ -14,10 +14,6 @@ bool HasAvx512() {
 #else
 bool HasAvx2() { return false; }
 bool HasAvx512() { return false; }
-std::unique_ptr<LaneEngine> MakeNoLanes(bool, const VehicleModel&, const Ground&) {
-  return nullptr;
-}
-constexpr auto MakeAvx2Lanes = MakeNoLanes, MakeAvx512Lanes = MakeNoLanes;
 #endif
 
 LaneKind Widest(bool doubles) {

@@ -1,7 +1,7 @@
 #include "lane_engine_includes.h"
 
 #ifdef DBD_WIDE_LANES
-#pragma GCC push_options
+#define DBD_PACK_TARGET 512
 #pragma GCC target("avx512f,avx512vl,avx512dq,avx512bw")
 #include "lane_engine_pack.h"
 
@@ -14,5 +14,14 @@ std::unique_ptr<LaneEngine> MakeAvx512Lanes(bool doubles, const VehicleModel& ve
 }
 
 }  // namespace dbd
-#pragma GCC pop_options
+#else
+#include "lane_engine.h"
+
+namespace dbd {
+
+std::unique_ptr<LaneEngine> MakeAvx512Lanes(bool, const VehicleModel&, const Ground&) {
+  return nullptr;
+}
+
+}  // namespace dbd
 #endif

@@ -33,7 +33,8 @@
 #include "engine_model.h"
 #include "tire_pattern.h"
 
-// GCC alone lets a pragma choose the instruction set of templates.
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
+// GCC alone lets a pragma choose the instruction set of templates; without optimisation GCC 12
+// fails on constructors that it writes itself, so that debug builds have the narrow lanes only.
+#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__OPTIMIZE__)
 #define DBD_WIDE_LANES
 #endif

@@ -18,18 +18,25 @@ namespace dbd {
 // contraction to fused multiply-adds off (see cmake/dbd_target.cmake), a vehicle therefore drives
 // bit by bit the same in packs of 4, 8 or 16.
 
+/// Which instruction set this translation unit compiles packs for. It is a part of their type: a
+/// function over packs that is compiled in two translation units is then two functions, and the
+/// linker cannot put the one for a wider processor in the place of the other.
+#ifndef DBD_PACK_TARGET
+#define DBD_PACK_TARGET 0
+#endif
+
 /// The integer as wide as a number.
 template <class T>
 using LaneInteger = std::conditional_t<sizeof(T) == 4, std::int32_t, std::int64_t>;
 
 // The alignment is written out: the compiler's own for wide vectors depends on the instruction set.
-template <class T, int N>
+template <class T, int N, int kTarget = DBD_PACK_TARGET>
 struct alignas(N * sizeof(T)) PackMask {
   typedef LaneInteger<T> Vector __attribute__((vector_size(N * sizeof(T))));
   Vector v;  // all bits set where true
 };
 
-template <class T, int N>
+template <class T, int N, int kTarget = DBD_PACK_TARGET>
 struct alignas(N * sizeof(T)) Pack {
   typedef T Vector __attribute__((vector_size(N * sizeof(T))));
   typedef LaneInteger<T> Integers __attribute__((vector_size(N * sizeof(T))));
@@ -162,11 +169,11 @@ inline constexpr T kLog2Low = sizeof(T) == 4 ? T(-2.12194440e-4) : T(1.908214929
 template <class T>
 inline constexpr int kExpTerms = sizeof(T) == 4 ? 6 : 12;
 
-template <class T>
-constexpr T InverseFactorial(int k) {
+template <class P>
+P InverseFactorial(int k) {
   double product = 1;
   for (int i = 2; i <= k; ++i) product *= i;
-  return static_cast<T>(1 / product);
+  return P(static_cast<ScalarOf<P>>(1 / product));
 }
 
 }  // namespace pack_detail
@@ -184,8 +191,8 @@ Pack<T, N> Exp(const Pack<T, N>& a) {
   const P shifted = x * P(T(1.4426950408889634)) + P(magic);
   const P n = shifted - P(magic);
   const P r = (x - n * P(kLog2High<T>)) - n * P(kLog2Low<T>);
-  P series = P(InverseFactorial<T>(kExpTerms<T>));
-  for (int k = kExpTerms<T> - 1; k >= 2; --k) series = series * r + P(InverseFactorial<T>(k));
+  P series = InverseFactorial<P>(kExpTerms<T>);
+  for (int k = kExpTerms<T> - 1; k >= 2; --k) series = series * r + InverseFactorial<P>(k);
   const P value = P(T(1)) + (r + r * r * series);
   const auto whole = __builtin_bit_cast(typename P::Integers, shifted.v) -
                      __builtin_bit_cast(LaneInteger<T>, magic);
