@@ -37,8 +37,6 @@ class LaneEngine {
   /// Work of the drive torque, positive part, in the last control interval [J].
   virtual double DriveWork(int lane) const = 0;
   virtual double Spin(int lane, int wheel) const = 0;
-  /// Everything finite, no stiff link torn.
-  virtual bool IsSane(int lane) const = 0;
 };
 
 /// Null where this build or this processor has no such lanes.

@@ -90,20 +90,6 @@ class PackEngine final : public LaneEngine {
     return state_.wheels[static_cast<std::size_t>(wheel)].spin.v[lane];
   }
 
-  bool IsSane(int lane) const override {
-    S sum = 0;
-    for (const BodyState<Real>& b : state_.bodies) {
-      sum += b.p_WB.x.v[lane] + b.p_WB.y.v[lane] + b.p_WB.z.v[lane] + b.v_WB.x.v[lane] +
-             b.v_WB.y.v[lane] + b.v_WB.z.v[lane] + b.q_WB.w.v[lane] + b.w_WB.x.v[lane];
-    }
-    bool sane = std::isfinite(sum);
-    for (std::size_t i = 0; i < work_.link_force.size(); ++i) {
-      const double most = kTornLink * model_.vehicle->links[i].stiffness;
-      sane = sane && std::abs(work_.link_force[i].v[lane]) < most;
-    }
-    return sane;
-  }
-
  private:
   static constexpr double kShift = 8;  // [m]
 

@@ -45,6 +45,7 @@ struct SimulationLanes::Impl {
       : vehicle(model),
         ground(surface),
         times(model),
+        held(HeldByBrakes(model)),
         engine(MakeLaneEngine(kind, model, surface)) {
     if (!engine) throw InputError("this processor has no lanes of " + LaneKindName(kind));
     lanes.resize(static_cast<std::size_t>(engine->lanes()));
@@ -60,6 +61,7 @@ struct SimulationLanes::Impl {
   const VehicleModel& vehicle;
   const Ground& ground;
   EngineModel times;  // steps and their groups
+  WheelControls<double> held;
   std::unique_ptr<LaneEngine> engine;
   std::vector<Lane> lanes;
   std::vector<LaneOrders> orders;
@@ -103,7 +105,7 @@ void SimulationLanes::Impl::GiveOrders(int index, const DriverCommand& command) 
     lane.phase = lane.settling_steps > 0 ? Lane::Phase::kSettling : Lane::Phase::kDriving;
   }
   if (lane.phase != Lane::Phase::kDriving) {
-    order.controls = HeldByBrakes(vehicle);
+    order.controls = held;
     order.keep = lane.phase == Lane::Phase::kSettling ? 1 - kSettlingRate * times.step : 0;
     return;
   }
@@ -176,7 +178,16 @@ double SimulationLanes::LinkForce(int lane, int index) const {
 }
 double SimulationLanes::drive_energy(int lane) const { return impl_->At(lane).energy; }
 
-bool SimulationLanes::IsSane(int lane) const { return impl_->engine->IsSane(lane); }
+bool SimulationLanes::IsSane(int lane) const {
+  const VehicleModel& vehicle = impl_->vehicle;
+  for (std::size_t i = 0; i < vehicle.bodies.size(); ++i) {
+    if (!BodyIsFinite(impl_->engine->Body(lane, static_cast<int>(i)))) return false;
+  }
+  for (std::size_t i = 0; i < vehicle.links.size(); ++i) {
+    if (!LinkHolds(vehicle.links[i], LinkForce(lane, static_cast<int>(i)))) return false;
+  }
+  return true;
+}
 
 void SimulationLanes::Observe(int lane, VehicleSnapshot& snapshot) const {
   snapshot.time = time(lane);

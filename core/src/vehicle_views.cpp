@@ -52,16 +52,22 @@ DriverView ViewOfDriver(const VehicleModel& vehicle, const BodyState<double>& ch
   return {{rear.x, rear.y}, std::atan2(R_WB.x.y, R_WB.x.x), Dot(chassis.v_WB, R_WB.x)};
 }
 
+bool BodyIsFinite(const BodyState<double>& body) {
+  return std::isfinite(body.p_WB.x + body.p_WB.y + body.p_WB.z + body.v_WB.x + body.v_WB.y +
+                       body.v_WB.z + body.q_WB.w + body.w_WB.x + body.w_WB.y + body.w_WB.z);
+}
+
+bool LinkHolds(const LinkModel& link, double force) {
+  return std::abs(force) < kTornLink * link.stiffness;
+}
+
 bool StateIsSane(const VehicleModel& vehicle, const EngineState<double>& state,
                  const Workspace<double>& work) {
   for (const BodyState<double>& body : state.bodies) {
-    const double sum = body.p_WB.x + body.p_WB.y + body.p_WB.z + body.v_WB.x + body.v_WB.y +
-                       body.v_WB.z + body.q_WB.w + body.w_WB.x + body.w_WB.y + body.w_WB.z;
-    if (!std::isfinite(sum)) return false;
+    if (!BodyIsFinite(body)) return false;
   }
   for (std::size_t i = 0; i < vehicle.links.size(); ++i) {
-    const double most = kTornLink * vehicle.links[i].stiffness;
-    if (!(std::abs(work.link_force[i]) < most)) return false;
+    if (!LinkHolds(vehicle.links[i], work.link_force[i])) return false;
   }
   return true;
 }

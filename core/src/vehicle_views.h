@@ -16,6 +16,11 @@ WheelView ViewOfWheel(const WheelModel& wheel, const BodyState<double>& body,
 
 DriverView ViewOfDriver(const VehicleModel& vehicle, const BodyState<double>& chassis);
 
+bool BodyIsFinite(const BodyState<double>& body);
+
+/// Whether a link that pulls or pushes with `force` [N] still holds its bodies together.
+bool LinkHolds(const LinkModel& link, double force);
+
 /// Everything finite, no link torn in the last step.
 bool StateIsSane(const VehicleModel& vehicle, const EngineState<double>& state,
                  const Workspace<double>& work);

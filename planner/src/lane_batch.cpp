@@ -2,6 +2,13 @@
 
 namespace dbd {
 
+/// Looks before it counts, so that asking again and again at the end never overflows the counter.
+std::optional<std::size_t> DriveQueue::TakeNext() {
+  if (next >= tasks.size()) return std::nullopt;
+  const std::size_t taken = next++;
+  return taken < tasks.size() ? std::optional(taken) : std::nullopt;
+}
+
 LaneBatch::LaneBatch(const Terrain& terrain, const VehicleModel& vehicle, LaneKind kind)
     : terrain_(terrain), vehicle_(vehicle), lanes_(vehicle, terrain, kind) {
   slots_.resize(static_cast<std::size_t>(lanes_.lanes()));
@@ -22,23 +29,24 @@ void LaneBatch::Run(DriveQueue& queue) {
 /// Free lanes take the next drives; returns whether any lane has one.
 bool LaneBatch::Refill(DriveQueue& queue) {
   bool any = false;
-  for (std::size_t i = 0; i < slots_.size(); ++i) {
-    Slot& slot = slots_[i];
-    if (!slot.session && queue.next < queue.tasks.size()) {
-      const std::size_t task_index = queue.next++;
-      if (task_index < queue.tasks.size()) {
-        const DriveTask& task = queue.tasks[task_index];
-        slot.task = task_index;
-        slot.session =
-            std::make_unique<DriveSession>(terrain_, vehicle_, *task.path, task.start, task.heading,
-                                           task.options, lanes_.control_step());
-        slot.steps_to_look = 0;
-        lanes_.Place(static_cast<int>(i), task.start, task.heading);
-      }
+  for (int lane = 0; lane < lanes_.lanes(); ++lane) {
+    Slot& slot = slots_[static_cast<std::size_t>(lane)];
+    if (!slot.session) {
+      if (const std::optional<std::size_t> task = queue.TakeNext()) Begin(lane, *task, queue);
     }
     any = any || slot.session;
   }
   return any;
+}
+
+void LaneBatch::Begin(int lane, std::size_t task_index, const DriveQueue& queue) {
+  const DriveTask& task = queue.tasks[task_index];
+  Slot& slot = slots_[static_cast<std::size_t>(lane)];
+  slot.task = task_index;
+  slot.session = std::make_unique<DriveSession>(terrain_, vehicle_, *task.path, task.start,
+                                                task.heading, task.options, lanes_.control_step());
+  slot.steps_to_look = 0;
+  lanes_.Place(lane, task.start, task.heading);
 }
 
 /// Looks at the vehicle where that is due, and asks its driver.
@@ -71,11 +79,9 @@ void LaneBatch::CancelAll(DriveQueue& queue) {
     slot.session->Cancel();
     Finish(slot, queue);
   }
-  while (queue.next < queue.tasks.size()) {
-    const std::size_t task = queue.next++;
-    if (task >= queue.tasks.size()) return;
-    queue.rollouts[task].outcome = Outcome::kCancelled;
-    queue.rollouts[task].reason = "cancelled";
+  while (const std::optional<std::size_t> task = queue.TakeNext()) {
+    queue.rollouts[*task].outcome = Outcome::kCancelled;
+    queue.rollouts[*task].reason = "cancelled";
     queue.on_done();
   }
 }

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -28,6 +29,9 @@ struct DriveQueue {
   std::function<void()> on_done;   ///< may be called from any worker
   std::stop_token stop;
   std::atomic<std::size_t> next = 0;
+
+  /// The next drive that nobody has taken, if any is left.
+  std::optional<std::size_t> TakeNext();
 };
 
 /// A pack of vehicles and what drives and judges each of them. Which lane takes which drive, and
@@ -48,6 +52,7 @@ class LaneBatch {
   };
 
   bool Refill(DriveQueue& queue);
+  void Begin(int lane, std::size_t task, const DriveQueue& queue);
   void Serve(int lane, DriveQueue& queue);
   void CancelAll(DriveQueue& queue);
   void Finish(Slot& slot, DriveQueue& queue);

@@ -143,6 +143,28 @@ Differences Compare(const std::vector<End>& ends, const std::vector<End>& refere
   return most;
 }
 
+/// Drives lane 1 while the driver of lane 0 steers by `neighbour_steer`; returns lane 1's end.
+End DriveBeside(const Ground& ground, LaneKind kind, double neighbour_steer) {
+  SimulationLanes lanes(Tm27(), ground, kind);
+  for (const int lane : {0, 1}) lanes.Place(lane, {0, 3.0 * lane}, 0, 0.5);
+  std::vector<DriverCommand> commands(static_cast<std::size_t>(lanes.lanes()));
+  commands[0] = {.steer = neighbour_steer, .engine_torque = 30};
+  commands[1] = {.engine_torque = 30};
+  while (lanes.time(1) < 1) lanes.Advance(commands);
+  EXPECT_EQ(lanes.IsSane(0), std::isfinite(neighbour_steer));
+  EXPECT_TRUE(lanes.IsSane(1));
+  return {lanes.StateHash(1), lanes.Chassis(1), lanes.drive_energy(1)};
+}
+
+TEST(SimulationLanes, ADivergedNeighbourChangesNoBit) {
+  const auto ground = MakeRandomGround(-50, 0.15, 0.5, 3);
+  for (const LaneKind kind : kAll) {
+    if (!LaneKindAvailable(kind)) continue;
+    EXPECT_EQ(DriveBeside(*ground, kind, std::nan("")).hash, DriveBeside(*ground, kind, 0).hash)
+        << LaneKindName(kind);
+  }
+}
+
 TEST(SimulationLanes, DoubleLanesAreTheReferenceToRoundOff) {
   const auto ground = MakeRandomGround(-50, 0.15, 0.5, 3);
   const std::vector<Task> tasks = Tasks(6);

@@ -49,6 +49,15 @@ TEST(TinSurface, BoundsTheHeightsAround) {
   }
 }
 
+TEST(TinSurface, AnswersAVehicleThatDiverged) {
+  const TinSurface tin(SquareVertices(), kSquare);
+  const double nowhere = std::nan(""), far = 1e300;
+  EXPECT_TRUE(std::isnan(HeightAt(tin, nowhere, nowhere)));
+  EXPECT_TRUE(std::isnan(HeightAt(tin, far, -far)));
+  EXPECT_TRUE(std::isfinite(tin.HighestWithin(1, nowhere, nowhere)));
+  EXPECT_TRUE(std::isfinite(tin.HighestWithin(1, far, -far)));
+}
+
 TEST(TinSurface, LeavesWallsOutAndTakesTheLowestSheet) {
   std::vector<Eigen::Vector3d> vertices = SquareVertices();
   Triangles triangles = kSquare;
