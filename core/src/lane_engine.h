@@ -37,6 +37,8 @@ class LaneEngine {
   /// Work of the drive torque, positive part, in the last control interval [J].
   virtual double DriveWork(int lane) const = 0;
   virtual double Spin(int lane, int wheel) const = 0;
+  /// Of the chassis along its z axis, without gravity, mean over the last interval [m/s^2].
+  virtual double VerticalAcceleration(int lane) const = 0;
 };
 
 /// Null where this build or this processor has no such lanes.

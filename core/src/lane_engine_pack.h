@@ -62,7 +62,11 @@ class PackEngine final : public LaneEngine {
     MoveOrigins();
     TakeOrders(orders);
     drive_work_ = Real(S(0));
+    const Vec3<Real> v_WB = state_.bodies[0].v_WB;
     for (int i = 0; i < model_.control_every; ++i) Step();
+    const BodyState<Real>& chassis = state_.bodies[0];
+    vertical_acceleration_ = Real(S(1 / (model_.step * model_.control_every))) *
+                             Dot(chassis.v_WB - v_WB, RotationMatrix(chassis.q_WB).z);
   }
 
   BodyState<double> Body(int lane, int body) const override {
@@ -89,6 +93,7 @@ class PackEngine final : public LaneEngine {
   double Spin(int lane, int wheel) const override {
     return state_.wheels[static_cast<std::size_t>(wheel)].spin.v[lane];
   }
+  double VerticalAcceleration(int lane) const override { return vertical_acceleration_.v[lane]; }
 
  private:
   static constexpr double kShift = 8;  // [m]
@@ -144,6 +149,7 @@ class PackEngine final : public LaneEngine {
   Workspace<Real> work_;
   WheelControls<Real> controls_{};
   Real keep_{S(1)};
+  Real vertical_acceleration_{S(0)};
   Real drive_work_{S(0)};  // [J] per step length
   bool damped_ = false;
 };

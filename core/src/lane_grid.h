@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "corner_columns.h"
+#include "ground_plane.h"
 #include "pack.h"
 
 namespace dbd {
@@ -38,6 +39,42 @@ class LaneGrid {
     return base_height_ + (south_z + north.part * (north_z - south_z));
   }
 
+  /// Whether a circle of this radius stays within half a cell of its centre: then the four cells
+  /// around the node that is nearest to the centre hold it.
+  static bool CellsHold(const GroundGrid& grid, double radius) {
+    return std::min(grid.columns, grid.rows) > 2 &&
+           radius <= 0.5 * std::min(grid.cell_x, grid.cell_y);
+  }
+
+  /// A plane above those four cells: their mean slope, lifted over the highest of the nine nodes.
+  /// Ground less plane is bilinear in every cell, so that no place between nodes is higher. At the
+  /// edge of the grid, beyond which heights continue level, the highest ground around.
+  GroundPlane<Real> Plane(const GroundGrid& grid, const Real& x, const Real& y) const {
+    const Node east = NearestNode(x_, x), north = NearestNode(y_, y);
+    const Nodes h = ReadNodes(grid, east.whole, north.whole);
+    const Real sixth{S(1.0 / 6)};
+    const Real rise_x = sixth * ((h[0][2] + h[1][2] + h[2][2]) - (h[0][0] + h[1][0] + h[2][0]));
+    const Real rise_y = sixth * ((h[2][0] + h[2][1] + h[2][2]) - (h[0][0] + h[0][1] + h[0][2]));
+    Real level = h[1][1];
+    for (int j = 0; j < 3; ++j) {
+      for (int i = 0; i < 3; ++i) {
+        level = Max(level, h[j][i] - Real(S(i - 1)) * rise_x - Real(S(j - 1)) * rise_y);
+      }
+    }
+    const Real here = base_height_ + level + east.part * rise_x + north.part * rise_y;
+    GroundPlane<Real> plane{here, rise_x * x_.per_metre, rise_y * y_.per_metre};
+    const Real half{S(0.5)};
+    const auto edge_x = Abs(east.part) > half, edge_y = Abs(north.part) > half;
+    if (!AnyOf(edge_x) && !AnyOf(edge_y)) return plane;
+    const Real level_bound = HighestNearby(grid, x, y), none{S(0)};
+    for (const auto& edge : {edge_x, edge_y}) {
+      plane.height = Select(edge, level_bound, plane.height);
+      plane.slope_x = Select(edge, none, plane.slope_x);
+      plane.slope_y = Select(edge, none, plane.slope_y);
+    }
+    return plane;
+  }
+
   Real HighestNearby(const GroundGrid& grid, const Real& x, const Real& y) const {
     const Integers index =
         TileOf(grid, y_, y) * static_cast<LaneInteger<S>>(grid.tile_columns) + TileOf(grid, x_, x);
@@ -55,11 +92,18 @@ class LaneGrid {
     Real offset{S(0)};  // from there to the origin
     Real most{S(0)};    // of the grid's far end
     Real per_metre{S(1)};
+    Real least_node{S(1)};  // first and last node that have neighbours on both sides
+    Real most_node{S(1)};
   };
   struct Cell {
     Integers whole;  // from `first`
     Real part;
   };
+  struct Node {
+    Integers whole;  // from `first`; never on the edge of the grid
+    Real part;       // from the node to the place, in cells
+  };
+  using Nodes = std::array<std::array<Real, 3>, 3>;  // rows northwards, columns eastwards
   struct Corners {
     Real south_west, north_west, south_east, north_east;
   };
@@ -74,12 +118,33 @@ class LaneGrid {
     // Just below the last row of cells, so that whole numbers stay inside the grid.
     axis.most.v[lane] = std::nextafter(static_cast<S>(count - 1 - first), S(0));
     axis.per_metre.v[lane] = static_cast<S>(1 / cell);
+    axis.least_node.v[lane] = static_cast<S>(1 - first);
+    axis.most_node.v[lane] = static_cast<S>(count - 2 - first);
   }
 
   static Cell Locate(const Axis& axis, const Real& x) {
     const Real u = Min(Max(x * axis.per_metre + axis.offset, Real(S(0))), axis.most);
     const Integers whole = __builtin_convertvector(u.v, Integers);
     return {whole, u - Real(__builtin_convertvector(whole, typename Real::Vector))};
+  }
+
+  static Node NearestNode(const Axis& axis, const Real& x) {
+    const Real u = x * axis.per_metre + axis.offset;
+    const Real inner = Min(Max(u + Real(S(0.5)), axis.least_node), axis.most_node);
+    const Integers whole = __builtin_convertvector(inner.v, Integers);
+    return {whole, u - Real(__builtin_convertvector(whole, typename Real::Vector))};
+  }
+
+  Nodes ReadNodes(const GroundGrid& grid, const Integers& column, const Integers& row) const {
+    const auto columns = static_cast<LaneInteger<S>>(grid.columns);
+    const Integers south_west = (row - 1) * columns + (column - 1) + corner_;
+    const Corners sw = ReadCorners(grid.row_pairs, south_west);
+    const Corners se = ReadCorners(grid.row_pairs, south_west + 1);
+    const Corners nw = ReadCorners(grid.row_pairs, south_west + columns);
+    const Corners ne = ReadCorners(grid.row_pairs, south_west + columns + 1);
+    return {{{sw.south_west, sw.south_east, se.south_east},
+             {sw.north_west, sw.north_east, se.north_east},
+             {nw.north_west, nw.north_east, ne.north_east}}};
   }
 
   /// Whole tiles before the cell: a product with the reciprocal, half a cell away from the edges

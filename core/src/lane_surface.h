@@ -49,6 +49,14 @@ class LaneSurface {
     }
   }
 
+  /// A plane above the ground within `radius` of each lane's place.
+  GroundPlane<Real> Bound(double radius, const Real& x, const Real& y) const {
+    if (grid_ && LaneGrid<Real>::CellsHold(*grid_, radius)) return lane_grid_.Plane(*grid_, x, y);
+    GroundPlane<Real> level;
+    HighestWithin(radius, 1, &x, &y, &level.height);
+    return level;
+  }
+
   /// kLanes soils for each of `count` packs of places.
   void Soils(int count, const Real* x, const Real* y, SoilSample* soil) const {
     for (int i = 0; i < count; ++i) {

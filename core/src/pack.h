@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <limits>
 
 #include "scalar.h"
 
@@ -139,20 +138,6 @@ bool AnyOf(const PackMask<T, N>& mask) {
   std::int64_t any = 0;
   for (const std::int64_t part : parts) any |= part;
   return any != 0;
-}
-// A lane that is not a number counts for nothing here: a vehicle that diverged takes nothing from
-// its neighbours.
-template <class T, int N>
-T LeastLane(const Pack<T, N>& a) {
-  T least = std::numeric_limits<T>::infinity();
-  for (int i = 0; i < N; ++i) least = a.v[i] < least ? a.v[i] : least;
-  return least;
-}
-template <class T, int N>
-T GreatestLane(const Pack<T, N>& a) {
-  T greatest = -std::numeric_limits<T>::infinity();
-  for (int i = 0; i < N; ++i) greatest = a.v[i] > greatest ? a.v[i] : greatest;
-  return greatest;
 }
 
 namespace pack_detail {

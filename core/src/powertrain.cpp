@@ -27,6 +27,13 @@ void ChooseGear(const PowertrainModel& powertrain, double wheel_speed, Powertrai
   state.time_in_gear = 0;
 }
 
+/// Share of the torque that the clutch passes since the last shift.
+double Engagement(const PowertrainModel& powertrain, double time_in_gear) {
+  constexpr double kClosed = 40;  // time constants: the exponential is below round-off
+  if (time_in_gear >= kClosed * powertrain.clutch_time) return 1;
+  return 1 - std::exp(-time_in_gear / powertrain.clutch_time);
+}
+
 double DrivenRadius(const VehicleModel& vehicle) {
   double radius = 0;
   for (const WheelModel& wheel : vehicle.wheels) {
@@ -55,9 +62,8 @@ double UpdatePowertrain(const PowertrainModel& powertrain, double asked_torque, 
   // A slipping clutch passes drive but no engine braking, which would turn the wheels backwards.
   const double least = shaft_speed > powertrain.min_speed ? -powertrain.braking_torque : 0.0;
   const double most = FullThrottleTorque(powertrain, shaft_speed);
-  const double engagement =
-      powertrain.clutch_time > 0 ? 1 - std::exp(-state.time_in_gear / powertrain.clutch_time) : 1;
-  state.engine_torque = engagement * std::clamp(asked_torque, least, std::max(most, least));
+  state.engine_torque = Engagement(powertrain, state.time_in_gear) *
+                        std::clamp(asked_torque, least, std::max(most, least));
   return state.engine_torque * ratio * powertrain.efficiency;
 }
 

@@ -52,16 +52,6 @@ T Cbrt(T a) {
 }
 inline bool AnyOf(bool mask) { return mask; }
 
-/// Smallest and largest over the lanes.
-template <std::floating_point T>
-T LeastLane(T a) {
-  return a;
-}
-template <std::floating_point T>
-T GreatestLane(T a) {
-  return a;
-}
-
 template <class Real>
 Real Clamp(Real value, Real low, Real high) {
   return Min(Max(value, low), high);

@@ -20,7 +20,7 @@ struct Lane {
   std::int64_t settling_steps = 0;  // still to come
   std::int64_t steps = 0;           // driven
   double energy = 0;
-  Vec3<double> last_v_WB{};  // of the chassis, one control step ago
+  DriverCommand command{.brake = 1};  // whose steering and brakes are in force
   PowertrainState powertrain;
 };
 
@@ -102,6 +102,7 @@ void SimulationLanes::Impl::GiveOrders(int index, const DriverCommand& command) 
   LaneOrders& order = orders[static_cast<std::size_t>(index)];
   if (lane.phase == Lane::Phase::kWaiting && step % times.period == 0) {
     engine->SetLane(index, lane.start);
+    order.controls = held;
     lane.phase = lane.settling_steps > 0 ? Lane::Phase::kSettling : Lane::Phase::kDriving;
   }
   if (lane.phase != Lane::Phase::kDriving) {
@@ -114,9 +115,12 @@ void SimulationLanes::Impl::GiveOrders(int index, const DriverCommand& command) 
     spins[i] = engine->Spin(index, static_cast<int>(i));
   }
   order.keep = 1;
-  lane.last_v_WB = engine->Body(index, 0).v_WB;
-  SetControls(vehicle, command, spins, times.step * times.control_every, lane.powertrain,
-              order.controls);
+  if (command.steer != lane.command.steer || command.brake != lane.command.brake) {
+    SetSteeringAndBrakes(vehicle, command, order.controls);
+    lane.command = command;
+  }
+  SetDriveTorques(vehicle, command, spins, times.step * times.control_every, lane.powertrain,
+                  order.controls);
 }
 
 void SimulationLanes::Impl::Account(int index) {
@@ -127,10 +131,7 @@ void SimulationLanes::Impl::Account(int index) {
   }
   if (lane.phase == Lane::Phase::kSettling) {
     lane.settling_steps -= times.control_every;
-    if (lane.settling_steps <= 0) {
-      lane.phase = Lane::Phase::kDriving;
-      lane.last_v_WB = engine->Body(index, 0).v_WB;
-    }
+    if (lane.settling_steps <= 0) lane.phase = Lane::Phase::kDriving;
   }
 }
 
@@ -163,8 +164,7 @@ DriverView SimulationLanes::ViewForDriver(int lane) const {
 }
 
 double SimulationLanes::VerticalAcceleration(int lane) const {
-  const BodyState<double> body = impl_->engine->Body(lane, 0);
-  return Dot(body.v_WB - impl_->At(lane).last_v_WB, RotationMatrix(body.q_WB).z) / control_step();
+  return impl_->engine->VerticalAcceleration(lane);
 }
 
 const PowertrainState& SimulationLanes::powertrain(int lane) const {

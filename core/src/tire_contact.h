@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "engine_state.h"
+#include "ground_plane.h"
 #include "soil_rule.h"
 #include "tire_pattern.h"
 
@@ -108,19 +109,33 @@ PointRow<Real> ToTireFrame(const std::array<Real, kTirePlanes>& vertical, const 
   return row;
 }
 
-/// How many points on each side of the lowest one can touch ground that is nowhere higher than
-/// `highest`; -1 = none. The next point outwards belongs to it, for the segment in between.
+/// Rows of points, `last` included; none where `last` is less than `first`.
+struct RowRange {
+  int first = 0;
+  int last = -1;
+};
+
+/// The rows that can touch ground which is nowhere above the plane `bound`, in any lane, and one
+/// more to each side for the segments in between.
 template <class Real>
-int ActiveHalfCount(const TirePattern& pattern, const Mat3<Real>& R_WT, const Vec3<Real>& p_WH,
-                    const Real& highest) {
+RowRange ActiveRows(const TirePattern& pattern, const Mat3<Real>& R_WT, const Vec3<Real>& p_WH,
+                    const GroundPlane<Real>& bound) {
   using S = ScalarOf<Real>;
-  const Real lowest_hub = p_WH.z - Real(S(pattern.half_span)) * Abs(R_WT.y.z) - highest;
-  const double reach = static_cast<double>(LeastLane(lowest_hub / R_WT.z.z));
-  const int half = pattern.count / 2;
   constexpr double kBulgeMargin = 1.01;  // the circle lies up to 0.6 % below its points' chords
-  int active = -1;
-  while (active < half && -pattern.z[half + active + 1] * kBulgeMargin >= reach) ++active;
-  return active < 0 ? -1 : std::min(active + 1, half);
+  const Vec3<Real> up{Real(-1) * bound.slope_x, Real(-1) * bound.slope_y, Real(1)};
+  const Real hub = p_WH.z - bound.height - Real(S(pattern.half_span)) * Abs(Dot(up, R_WT.y));
+  const Real along = Real(S(kBulgeMargin)) * Dot(up, R_WT.x);
+  const Real upward = Real(S(kBulgeMargin)) * Dot(up, R_WT.z);
+  const auto touches = [&](int i) {
+    const Real height = hub + Real(S(pattern.x[i])) * along + Real(S(pattern.z[i])) * upward;
+    return AnyOf(height < Real(0));
+  };
+  const int end = pattern.count - 1;
+  RowRange rows{0, end};
+  while (rows.first <= end && !touches(rows.first)) ++rows.first;
+  if (rows.first > end) return {};
+  while (!touches(rows.last)) --rows.last;
+  return {std::max(rows.first - 1, 0), std::min(rows.last + 1, end)};
 }
 
 /// Rows whose heights are asked for together: one question for a whole wheel, and row by row in
@@ -196,26 +211,17 @@ void SetContactSoil(const TirePattern& pattern, const Surface& ground, const Mas
 }
 
 template <class Real, class Surface>
-Real HighestUnder(const Surface& ground, double radius, const Vec3<Real>& p_WH) {
-  Real z;
-  ground.HighestWithin(radius, 1, &p_WH.x, &p_WH.y, &z);
-  return z;
-}
-
-template <class Real, class Surface>
 ContactSums<Real> SumContact(const TirePattern& pattern, const Surface& ground,
-                             const Mat3<Real>& R_WT, const Vec3<Real>& p_WH, int active) {
-  const int half = pattern.count / 2;
-  const int first = half - active, last = half + active;
+                             const Mat3<Real>& R_WT, const Vec3<Real>& p_WH, const RowRange& rows) {
   RowHeights<Real> vertical[kRowsAtOnce<Real>];
   ContactSums<Real> sums;
   PointRow<Real> here;
-  for (int block = first; block <= last; block += kRowsAtOnce<Real>) {
-    const int count = std::min(kRowsAtOnce<Real>, last - block + 1);
+  for (int block = rows.first; block <= rows.last; block += kRowsAtOnce<Real>) {
+    const int count = std::min(kRowsAtOnce<Real>, rows.last - block + 1);
     VerticalPenetrations(pattern, ground, R_WT, p_WH, block, count, vertical);
     for (int i = block; i < block + count; ++i) {
       const PointRow<Real> next = ToTireFrame(vertical[i - block], R_WT, pattern.half_span);
-      if (i > first) AddSegments(pattern, i - 1, here, next, sums);
+      if (i > rows.first) AddSegments(pattern, i - 1, here, next, sums);
       here = next;
     }
   }
@@ -230,11 +236,11 @@ void SampleContact(const TirePattern& pattern, const Surface& ground, const Vec3
   const Mat3<Real> R_WT = TireFrame(y_W);
   contact.p_WH = p_WH;
   contact.deflection = Real(0);
-  const Real highest = HighestUnder(ground, pattern.radius + pattern.half_span, p_WH);
-  const int active = ActiveHalfCount(pattern, R_WT, p_WH, highest);
-  if (active < 0) return;
+  const GroundPlane<Real> bound = BoundUnder(ground, pattern.radius + pattern.half_span, p_WH);
+  const RowRange rows = ActiveRows(pattern, R_WT, p_WH, bound);
+  if (rows.last < rows.first) return;
 
-  const ContactSums<Real> sums = SumContact(pattern, ground, R_WT, p_WH, active);
+  const ContactSums<Real> sums = SumContact(pattern, ground, R_WT, p_WH, rows);
   const Real least_area{S(1e-12)};
   const Real area = sums.area[0] + sums.area[1] + sums.area[2];
   const auto touching = area > least_area;

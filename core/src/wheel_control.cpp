@@ -16,9 +16,9 @@ void SetSteeringAndBrakes(const VehicleModel& vehicle, const DriverCommand& comm
   }
 }
 
-void SetControls(const VehicleModel& vehicle, const DriverCommand& command, const WheelSpins& spins,
-                 double dt, PowertrainState& powertrain, WheelControls<double>& controls) {
-  SetSteeringAndBrakes(vehicle, command, controls);
+void SetDriveTorques(const VehicleModel& vehicle, const DriverCommand& command,
+                     const WheelSpins& spins, double dt, PowertrainState& powertrain,
+                     WheelControls<double>& controls) {
   const auto driven = [&](std::size_t i) {
     return vehicle.axles[static_cast<std::size_t>(vehicle.wheels[i].axle)].driven;
   };
@@ -35,6 +35,12 @@ void SetControls(const VehicleModel& vehicle, const DriverCommand& command, cons
   for (std::size_t i = 0; i < vehicle.wheels.size(); ++i) {
     controls.drive_torque[i] = driven(i) ? torque / count : 0;
   }
+}
+
+void SetControls(const VehicleModel& vehicle, const DriverCommand& command, const WheelSpins& spins,
+                 double dt, PowertrainState& powertrain, WheelControls<double>& controls) {
+  SetSteeringAndBrakes(vehicle, command, controls);
+  SetDriveTorques(vehicle, command, spins, dt, powertrain, controls);
 }
 
 WheelControls<double> HeldByBrakes(const VehicleModel& vehicle) {

@@ -17,9 +17,13 @@ WheelSpins SpinsOf(const EngineState<double>& state);
 void SetSteeringAndBrakes(const VehicleModel& vehicle, const DriverCommand& command,
                           WheelControls<double>& controls);
 
-/// With the drive too, which advances the powertrain by `dt`. The torque is shared evenly among
-/// driven wheels: open differentials; what locked and limited-slip ones move across is found with
-/// the spins.
+/// Advances the powertrain by `dt`. The torque is shared evenly among driven wheels: open
+/// differentials; what locked and limited-slip ones move across is found with the spins.
+void SetDriveTorques(const VehicleModel& vehicle, const DriverCommand& command,
+                     const WheelSpins& spins, double dt, PowertrainState& powertrain,
+                     WheelControls<double>& controls);
+
+/// Both.
 void SetControls(const VehicleModel& vehicle, const DriverCommand& command, const WheelSpins& spins,
                  double dt, PowertrainState& powertrain, WheelControls<double>& controls);
 

@@ -28,9 +28,10 @@ Rollout DrivePath(const Terrain& terrain, const VehicleModel& vehicle, const Pat
         break;
       }
     }
+    const DriverCommand command = session.Decide(snapshot);
     for (int i = 0; i < session.look_every(); ++i) {
-      simulation.Advance(
-          session.Command(simulation.ViewForDriver(), simulation.VerticalAcceleration()));
+      simulation.Advance(command);
+      session.Feel(simulation.VerticalAcceleration());
     }
   }
   return session.TakeRollout();

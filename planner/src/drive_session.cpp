@@ -9,7 +9,9 @@
 namespace dbd {
 namespace {
 
-constexpr double kLookInterval = 0.02;  // [s]
+// Between two looks of the judge and two decisions of the driver [s]: 50 Hz, as fast as people's
+// and machines' steering answers, and a fraction of what driver and judge would cost at every step.
+constexpr double kLookInterval = 0.02;
 
 }  // namespace
 
@@ -30,13 +32,22 @@ DriveSession::DriveSession(const Terrain& terrain, const VehicleModel& vehicle, 
   driver_.SetStart(start, heading);
 }
 
-DriverCommand DriveSession::Command(DriverView view, double vertical_acceleration) {
+void DriveSession::Feel(double vertical_acceleration) {
+  const double smooth = ride_.Update(vertical_acceleration);
+  felt_squares_ += smooth * smooth;
+  ++felt_;
+}
+
+DriverCommand DriveSession::Decide(const VehicleSnapshot& snapshot) {
+  DriverView view{snapshot.path_point, snapshot.chassis.yaw, snapshot.chassis.forward_speed};
   view.going.slip = last_sample_.slip;
   view.going.sinkage = last_sample_.sinkage;
   view.going.ground_slope = last_sample_.ground_slope;
   view.going.climb = -last_sample_.pitch;
-  view.going.vertical_acceleration = ride_.Update(vertical_acceleration);
-  return driver_.Update(view, control_step_, driver_state_);
+  view.going.vertical_acceleration = std::sqrt(felt_squares_ / std::max(felt_, 1));
+  felt_squares_ = 0;
+  felt_ = 0;
+  return driver_.Update(view, look_every_ * control_step_, driver_state_);
 }
 
 bool DriveSession::Look(const VehicleSnapshot& snapshot, bool sane, double energy) {

@@ -12,8 +12,9 @@
 namespace dbd {
 
 /// Everything about one drive but the vehicle's physics: driver, ride meter, judge and record. Who
-/// steps the physics - one vehicle alone or a lane of many - asks it for commands at every control
-/// step and shows it the vehicle every `look_every()` steps, first at the start.
+/// steps the physics - one vehicle alone or a lane of many - shows it the vehicle every
+/// `look_every()` control steps (20 ms), first at the start, holds the command that it then asks
+/// for until the next look, and lets it feel every step in between.
 class DriveSession {
  public:
   /// All references must outlive the session. `control_step` [s].
@@ -21,12 +22,15 @@ class DriveSession {
                const Eigen::Vector2d& start, double heading, const DriveOptions& options,
                double control_step);
 
-  /// `view`: the vehicle as the driver sees it; `vertical_acceleration` over the last step.
-  DriverCommand Command(DriverView view, double vertical_acceleration);
+  /// The vertical acceleration of the chassis over one control step [m/s^2].
+  void Feel(double vertical_acceleration);
 
   /// Judges the vehicle as it is; returns whether the drive is over. `sane`: the simulation's own
   /// verdict; `energy`: spent so far [J].
   bool Look(const VehicleSnapshot& snapshot, bool sane, double energy);
+
+  /// What the driver does about what `Look` saw, until the next look.
+  DriverCommand Decide(const VehicleSnapshot& snapshot);
 
   /// Ends the drive with kCancelled.
   void Cancel();
@@ -52,6 +56,8 @@ class DriveSession {
   dbd::Judge judge_;
   double control_step_;
   int look_every_;
+  double felt_squares_ = 0;  // of vertical accelerations since the last decision [m^2/s^4]
+  int felt_ = 0;
   double next_row_ = 0;  // of the trace: time or distance
   std::optional<Eigen::Vector3d> last_place_;
   TraceSample last_sample_;

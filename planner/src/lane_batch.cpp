@@ -49,10 +49,11 @@ void LaneBatch::Begin(int lane, std::size_t task_index, const DriveQueue& queue)
   lanes_.Place(lane, task.start, task.heading);
 }
 
-/// Looks at the vehicle where that is due, and asks its driver.
+/// Looks at the vehicle where that is due, and asks its driver; in between the command holds.
 void LaneBatch::Serve(int lane, DriveQueue& queue) {
   Slot& slot = slots_[static_cast<std::size_t>(lane)];
   if (!slot.session || !lanes_.driving(lane)) return;
+  if (lanes_.time(lane) > 0) slot.session->Feel(lanes_.VerticalAcceleration(lane));
   if (slot.steps_to_look == 0) {
     slot.steps_to_look = slot.session->look_every();
     lanes_.Observe(lane, snapshot_);
@@ -61,10 +62,9 @@ void LaneBatch::Serve(int lane, DriveQueue& queue) {
       Finish(slot, queue);
       return;
     }
+    commands_[static_cast<std::size_t>(lane)] = slot.session->Decide(snapshot_);
   }
   --slot.steps_to_look;
-  commands_[static_cast<std::size_t>(lane)] =
-      slot.session->Command(lanes_.ViewForDriver(lane), lanes_.VerticalAcceleration(lane));
 }
 
 void LaneBatch::Finish(Slot& slot, DriveQueue& queue) {

@@ -12,7 +12,6 @@ TEST(Scalar, FunctionsOfOneNumber) {
   EXPECT_EQ(Clamp(5.0, -1.0, 1.0), 1);
   EXPECT_EQ(Clamp(-5.0, -1.0, 1.0), -1);
   EXPECT_EQ(Clamp(0.5, -1.0, 1.0), 0.5);
-  EXPECT_EQ(LeastLane(3.0), 3);
   EXPECT_EQ(LaneTraits<double>::kLanes, 1);
 }
 
