@@ -42,6 +42,12 @@ void AddCoordinatesFlag(CLI::App* command, Coordinates* coordinates) {
       ->option_text("map|wgs84");
 }
 
+void AddThreadsFlag(CLI::App* command, int* threads) {
+  command->add_option("--threads", *threads, "0 = all processors, the default")
+      ->check(CLI::Range(0, 4096))
+      ->option_text("N");
+}
+
 void AddOutFlag(CLI::App* command, std::string* out) {
   command->add_option("--out", *out, "Directory for the results, created when missing")
       ->required()
@@ -78,9 +84,7 @@ void DeclarePlan(CLI::App* app, Commands* commands) {
       ->check(CLI::Range(0.1, 500.0))
       ->option_text("V");
   command->add_option("--seed", plan->seed, "Of the sampling, default 1")->option_text("N");
-  command->add_option("--threads", plan->threads, "0 = all processors, the default")
-      ->check(CLI::Range(0, 4096))
-      ->option_text("N");
+  AddThreadsFlag(command, &plan->threads);
   command
       ->add_option("--engine", plan->engine,
                    "lanes: many vehicles at once in single precision, the default; reference: one "
@@ -90,6 +94,42 @@ void DeclarePlan(CLI::App* app, Commands* commands) {
   AddOutFlag(command, &plan->out);
   AddJsonFlag(command, &plan->json, "plan.json instead of the summary");
   command->callback([commands, plan] { commands->run = [plan] { return RunPlan(*plan); }; });
+}
+
+void DeclareBatch(CLI::App* app, Commands* commands) {
+  BatchArguments* batch = &commands->batch;
+  CLI::App* command = AddCommand(
+      app, "batch", "Answer a file of planning requests, one JSON object per line",
+      std::string(kHeadingNote) +
+          "\nA request has the keys dem, vehicle, start, goal and those of dbd plan's other flags "
+          "(with _ for -), and perhaps an id and a priority:\n"
+          "  {\"id\": \"a\", \"dem\": \"hills.tif\", \"vehicle\": \"tomcar-tm27\", \"start\": "
+          "[564050, "
+          "146300], \"goal\": [564950, 146850, 90], \"candidates\": 16}\n"
+          "Exit codes: 0 all answered, 2 some requests are wrong (their results say why), 4 "
+          "stopped.\n"
+          "Example:\n  dbd batch requests.jsonl --out results.jsonl --resume\n"
+          "  dbd batch requests.jsonl --shard 2/4 --out part2.jsonl\n"
+          "  dbd batch --merge part*.jsonl --out results.jsonl");
+  command->add_option("requests", batch->requests, "File of requests, - for standard input")
+      ->required()
+      ->option_text("REQUESTS.jsonl");
+  command->add_option("--out", batch->out, "One line per request, as soon as it is answered")
+      ->required()
+      ->option_text("RESULTS.jsonl");
+  command->add_flag("--resume", batch->resume,
+                    "Go on with the results of a run that was stopped or killed");
+  CLI::Option* shard =
+      command->add_option("--shard", batch->shard, "Only every N-th request, from the I-th on")
+          ->option_text("I/N");
+  command->add_flag("--merge", batch->merge, "Join the results of shards instead")->excludes(shard);
+  AddThreadsFlag(command, &batch->threads);
+  command
+      ->add_option("--memory-gb", batch->memory_gb,
+                   "Terrains are kept for later requests up to this much; default 4")
+      ->check(CLI::Range(0.0, 1e4))
+      ->option_text("GB");
+  command->callback([commands, batch] { commands->run = [batch] { return RunBatch(*batch); }; });
 }
 
 void DeclareSimulate(CLI::App* app, Commands* commands) {
@@ -280,6 +320,7 @@ void DeclareCommands(CLI::App* app, Commands* commands) {
   app->require_subcommand(1);
   app->footer("Example:\n  dbd terrain generate --out land/\n  dbd plan --help");
   DeclarePlan(app, commands);
+  DeclareBatch(app, commands);
   DeclareSimulate(app, commands);
   DeclareScenario(app, commands);
   DeclareTerrain(app, commands);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "batch_command.h"
 #include "plan_command.h"
 #include "scenario_command.h"
 #include "scene_command.h"
@@ -22,6 +23,7 @@ struct Commands {
   bool quiet = false;
   bool verbose = false;
   PlanArguments plan;
+  BatchArguments batch;
   SimulateArguments simulate;
   ScenarioArguments scenario;
   SceneArguments scene;

@@ -71,6 +71,19 @@ ordered_json RolloutJson(const Rollout& rollout, const LocalFrame& frame) {
           {"progress", Rounded(rollout.progress, 4)}};
 }
 
+ordered_json RouteJson(const Plan& plan) {
+  if (!plan.chosen) return nullptr;
+  const auto index = static_cast<std::size_t>(*plan.chosen);
+  const Rollout& chosen = plan.rollouts[index];
+  return {{"candidate", index},
+          {"origin", plan.candidates[index].origin},
+          {"length", Rounded(chosen.distance, 3)},
+          {"time", Rounded(chosen.time, 3)},
+          {"mean_speed", Rounded(chosen.time > 0 ? chosen.distance / chosen.time : 0, 3)},
+          {"energy", Rounded(chosen.energy, 1)},
+          {"score", Rounded(plan.scores[index].total, 3)}};
+}
+
 ordered_json CertificateJson(const Rollout& rollout, const LocalFrame& frame) {
   ordered_json margins = ordered_json::array();
   for (const LimitMargin& margin : rollout.margins) margins.push_back(MarginJson(margin, frame));

@@ -27,6 +27,9 @@ nlohmann::ordered_json PlaceJson(const LocalFrame& frame, const Eigen::Vector3d&
 /// Totals of a drive: outcome, reason, place, length, time, energy, progress. SI.
 nlohmann::ordered_json RolloutJson(const Rollout& rollout, const LocalFrame& frame);
 
+/// Totals of the chosen route; null when there is none. SI.
+nlohmann::ordered_json RouteJson(const Plan& plan);
+
 /// The certificate: limit margins, the name of the binding one, and the per-metre table as
 /// columns.
 nlohmann::ordered_json CertificateJson(const Rollout& rollout, const LocalFrame& frame);

@@ -58,19 +58,6 @@ ordered_json RequestJson(const PlanRecord& record) {
           {"max_speed_kmh", Rounded(record.options.max_speed * 3.6, 6)}};
 }
 
-ordered_json RouteJson(const PlanRecord& record) {
-  const Rollout* chosen = record.chosen();
-  if (!chosen) return nullptr;
-  const auto index = static_cast<std::size_t>(*record.plan.chosen);
-  return {{"candidate", index},
-          {"origin", record.plan.candidates[index].origin},
-          {"length", Rounded(chosen->distance, 3)},
-          {"time", Rounded(chosen->time, 3)},
-          {"mean_speed", Rounded(chosen->time > 0 ? chosen->distance / chosen->time : 0, 3)},
-          {"energy", Rounded(chosen->energy, 1)},
-          {"score", Rounded(record.plan.scores[index].total, 3)}};
-}
-
 ordered_json ScoreJson(const Score& score) {
   ordered_json terms = ordered_json::object();
   for (const auto& [name, seconds] : score.terms) terms[name] = Rounded(seconds, 3);
@@ -109,7 +96,7 @@ std::string PlanJson(const PlanRecord& record) {
                            {"status", PlanStatusName(plan.status)},
                            {"reason", plan.reason},
                            {"request", RequestJson(record)},
-                           {"route", RouteJson(record)}};
+                           {"route", RouteJson(plan)}};
   document["blocked_at"] =
       plan.blocked_at ? PlaceJson(frame, *plan.blocked_at) : ordered_json(nullptr);
   document["certificate"] = chosen ? CertificateJson(*chosen, frame) : ordered_json(nullptr);

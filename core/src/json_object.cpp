@@ -48,14 +48,38 @@ std::string NearestWord(const std::string& word, const std::set<std::string>& wo
 JsonObject::JsonObject(nlohmann::json value, std::string origin, std::string path)
     : value_(std::move(value)), origin_(std::move(origin)), path_(std::move(path)) {}
 
-JsonObject JsonObject::Parse(const std::string& text, const std::string& origin,
-                             const std::string& schema) {
-  nlohmann::json value = nlohmann::json::parse(text, nullptr, false, true);
+JsonObject JsonObject::ParseObject(const std::string& text, const std::string& origin) {
+  constexpr int kDeepest = 32;  // what prints or compares values calls itself once per level
+  bool too_deep = false;
+  const auto keep = [&](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
+    too_deep = too_deep || depth > kDeepest;
+    return !too_deep;
+  };
+  nlohmann::json value = nlohmann::json::parse(text, keep, false, true);
+  if (too_deep) {
+    throw InputError(origin + ": is nested deeper than " + std::to_string(kDeepest) + " levels");
+  }
   if (value.is_discarded()) throw InputError(origin + ": is not valid JSON");
   if (!value.is_object()) throw InputError(origin + ": must be a JSON object");
-  JsonObject object(std::move(value), origin, "");
-  const std::string found = object.Text("schema");
-  if (found != schema) object.Fail("schema", "is \"" + found + "\", must be \"" + schema + "\"");
+  return JsonObject(std::move(value), origin, "");
+}
+
+void JsonObject::RequireSchema(const std::string& schema) const {
+  const std::string found = Text("schema");
+  if (found != schema) Fail("schema", "is \"" + found + "\", must be \"" + schema + "\"");
+}
+
+JsonObject JsonObject::Parse(const std::string& text, const std::string& origin,
+                             const std::string& schema) {
+  JsonObject object = ParseObject(text, origin);
+  object.RequireSchema(schema);
+  return object;
+}
+
+JsonObject JsonObject::ParseOptionalSchema(const std::string& text, const std::string& origin,
+                                           const std::string& schema) {
+  JsonObject object = ParseObject(text, origin);
+  if (object.Has("schema")) object.RequireSchema(schema);
   return object;
 }
 
@@ -110,6 +134,15 @@ std::string JsonObject::Text(const std::string& key, const std::string& otherwis
   return Has(key) ? Text(key) : otherwise;
 }
 
+std::vector<std::string> JsonObject::TextOrTexts(const std::string& key) const {
+  const nlohmann::json& value = At(key);
+  if (value.is_string()) return {value.get<std::string>()};
+  const bool texts = value.is_array() &&
+                     std::all_of(value.begin(), value.end(), [](auto& v) { return v.is_string(); });
+  if (!texts) Fail(key, "is " + Short(value) + ", must be text or a list of texts");
+  return value.get<std::vector<std::string>>();
+}
+
 std::vector<double> JsonObject::Numbers(const std::string& key, std::size_t size) const {
   const nlohmann::json& value = At(key);
   const bool numbers = value.is_array() && std::all_of(value.begin(), value.end(), [](auto& v) {
@@ -162,6 +195,8 @@ void JsonObject::RefuseUnknownKeys() const {
   asked_.insert("notes");
   for (const auto& [key, value] : value_.items()) {
     if (asked_.contains(key)) continue;
+    constexpr std::size_t kLongestKey = 60;
+    if (key.size() > kLongestKey) Fail(key.substr(0, kLongestKey) + "...", "is not a known key");
     Fail(key, "is not a known key; did you mean \"" + NearestWord(key, asked_) + "\"?");
   }
 }

@@ -16,6 +16,9 @@ class JsonObject {
   /// text is not JSON or not an object, or its "schema" is not `schema`.
   static JsonObject Parse(const std::string& text, const std::string& origin,
                           const std::string& schema);
+  /// The same, but a missing "schema" means the right one: for single lines of many.
+  static JsonObject ParseOptionalSchema(const std::string& text, const std::string& origin,
+                                        const std::string& schema);
 
   bool Has(const std::string& key) const;
   double Number(const std::string& key, double least, double most) const;
@@ -24,6 +27,8 @@ class JsonObject {
   bool Flag(const std::string& key, bool otherwise) const;
   std::string Text(const std::string& key) const;
   std::string Text(const std::string& key, const std::string& otherwise) const;
+  /// One text or a list of texts.
+  std::vector<std::string> TextOrTexts(const std::string& key) const;
   /// A list of numbers with this length, or any length when `size` is 0.
   std::vector<double> Numbers(const std::string& key, std::size_t size = 0) const;
   Eigen::Vector3d Point(const std::string& key) const;
@@ -40,6 +45,8 @@ class JsonObject {
 
  private:
   JsonObject(nlohmann::json value, std::string origin, std::string path);
+  static JsonObject ParseObject(const std::string& text, const std::string& origin);
+  void RequireSchema(const std::string& schema) const;
   const nlohmann::json& At(const std::string& key) const;
 
   nlohmann::json value_;

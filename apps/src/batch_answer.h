@@ -1,0 +1,14 @@
+#pragma once
+
+#include <dbd/planner/planning_service.h>
+
+#include <cstddef>
+#include <string>
+
+namespace dbd {
+
+/// One line of a result file (schema dbd.result/1), without a line break: the id and line of the
+/// request, and the plan or the reason why there is none.
+std::string BatchAnswer(std::size_t line, const std::string& id, const JobResult& result);
+
+}  // namespace dbd
