@@ -133,15 +133,17 @@ std::uint8_t TrafficabilityLayer::MaterialIndexAt(double x, double y) const {
 }
 
 void TrafficabilityLayer::MarkNearObstacles() {
-  const ObstacleMap& obstacles = terrain_->obstacles();
-  if (obstacles.empty()) return;
+  for (const ObstacleLayer& layer : terrain_->obstacles().layers()) MarkNear(layer);
+}
+
+void TrafficabilityLayer::MarkNear(const ObstacleLayer& obstacles) {
   const HeightMap::Grid& grid = obstacles.grid();
   std::vector<std::uint8_t> marks(cells_.size(), 0);
   for (int row = 0; row < grid.rows; ++row) {
     for (int column = 0; column < grid.columns; ++column) {
       const double x = grid.first_center.x() + column * grid.cell_size.x();
       const double y = grid.first_center.y() + row * grid.cell_size.y();
-      if (!obstacles.Blocks(x, y, outline_.height)) continue;
+      if (!obstacles.BlocksBox({x, y}, 0, {0, 0}, outline_.height)) continue;
       const auto c = std::lround((x - min_corner_.x()) / resolution_);
       const auto r = std::lround((y - min_corner_.y()) / resolution_);
       if (c >= 0 && r >= 0 && c < columns_ && r < rows_) marks[r * columns_ + c] = 1;

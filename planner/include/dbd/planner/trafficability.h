@@ -124,6 +124,7 @@ class TrafficabilityLayer {
   void LayOutGrid(const HeightMap& heights, double half_footprint);
   void FillCells(double half_footprint, double step_limit);
   void MarkNearObstacles();
+  void MarkNear(const ObstacleLayer& obstacles);
   void MarkNearImpassable();
   /// Dilates `marks` by `reach` [m] and sets `flag` in the cells that are marked then.
   void FlagAround(std::vector<std::uint8_t> marks, double reach, std::uint8_t flag);
