@@ -53,15 +53,17 @@ TinSurface MakeTin(double spacing) {
 
 constexpr int kWheel = 16;  // places of a wheel's print
 
-// Places of a wheel that moves on by 2 cm, across the ground and across it again; or scattered over
-// it by an additive recurrence. Made as they are needed: a list of them would take the place in the
-// cache that a drive leaves to the ground.
+enum Where { kEastward, kNorthward, kScattered };
+
+// Places of a wheel that moves on by 2 cm, across the ground and across it again, along the rows of
+// a raster or across them; or scattered by an additive recurrence. Made as they are needed: a list
+// of them would take the place in the cache that a drive leaves to the ground.
 class Places {
  public:
-  explicit Places(bool scattered) : scattered_(scattered) {}
+  explicit Places(std::int64_t where) : where_(where) {}
 
   void Next(double* x, double* y) {
-    if (scattered_) {
+    if (where_ == kScattered) {
       for (int i = 0; i < kWheel; ++i) {
         x[i] = 1 + (kSide - 2) * Advance(0.7548776662466927, &u_);
         y[i] = 1 + (kSide - 2) * Advance(0.5698402909980532, &v_);
@@ -69,9 +71,11 @@ class Places {
       return;
     }
     driven_ = driven_ < 50 ? driven_ + 0.02 : 0;
+    double* ahead = where_ == kEastward ? x : y;
+    double* aside = where_ == kEastward ? y : x;
     for (int i = 0; i < kWheel; ++i) {
-      x[i] = 5 + driven_ + 0.05 * i;
-      y[i] = 20 + 0.3 * driven_;
+      ahead[i] = 5 + driven_ + 0.05 * i;
+      aside[i] = 20 + 0.3 * driven_;
     }
   }
 
@@ -82,7 +86,7 @@ class Places {
     return *value;
   }
 
-  bool scattered_;
+  std::int64_t where_;
   double driven_ = 0;
   double u_ = 0;
   double v_ = 0;
@@ -100,7 +104,7 @@ void SetRate(benchmark::State& state, int queries) {
 // Calls `heights(count, x, y, z)` for each wheel: one query for a height, three for a normal too.
 template <typename Heights>
 void AskForHeights(benchmark::State& state, bool with_normal, Heights heights) {
-  Places places(state.range(1) != 0);
+  Places places(state.range(1));
   double x[3 * kWheel];
   double y[3 * kWheel];
   double z[3 * kWheel];
@@ -134,21 +138,27 @@ void AskTin(benchmark::State& state, bool with_normal) {
   });
 }
 
-// Arguments: cell size [mm], scattered.
+// Arguments: cell size [mm], Where.
 void RasterHeights(benchmark::State& state) { AskRaster(state, false); }
-BENCHMARK(RasterHeights)->ArgsProduct({{1000, 100, 20}, {0, 1}})->ArgNames({"mm", "scattered"});
+BENCHMARK(RasterHeights)
+    ->ArgsProduct({{1000, 100, 20}, {kEastward, kNorthward, kScattered}})
+    ->ArgNames({"mm", "where"});
 
 void RasterHeightAndNormal(benchmark::State& state) { AskRaster(state, true); }
 BENCHMARK(RasterHeightAndNormal)
-    ->ArgsProduct({{1000, 100, 20}, {0, 1}})
-    ->ArgNames({"mm", "scattered"});
+    ->ArgsProduct({{1000, 100, 20}, {kEastward, kNorthward, kScattered}})
+    ->ArgNames({"mm", "where"});
 
 // The argument is the triangles' width [mm].
 void TinHeights(benchmark::State& state) { AskTin(state, false); }
-BENCHMARK(TinHeights)->ArgsProduct({{1000, 100}, {0, 1}})->ArgNames({"mm", "scattered"});
+BENCHMARK(TinHeights)
+    ->ArgsProduct({{1000, 100}, {kEastward, kNorthward, kScattered}})
+    ->ArgNames({"mm", "where"});
 
 void TinHeightAndNormal(benchmark::State& state) { AskTin(state, true); }
-BENCHMARK(TinHeightAndNormal)->ArgsProduct({{1000, 100}, {0, 1}})->ArgNames({"mm", "scattered"});
+BENCHMARK(TinHeightAndNormal)
+    ->ArgsProduct({{1000, 100}, {kEastward, kNorthward, kScattered}})
+    ->ArgNames({"mm", "where"});
 
 // Branches over one cell in a hundred, which the vehicle passes under.
 ObstacleMap MakeBranches(double cell) {
@@ -165,7 +175,7 @@ ObstacleMap MakeBranches(double cell) {
 // A vehicle's box, 4 m x 2 m.
 void ClearanceOfABox(benchmark::State& state) {
   const ObstacleMap map = MakeBranches(1e-3 * static_cast<double>(state.range(0)));
-  Places places(state.range(1) != 0);
+  Places places(state.range(1));
   double x[kWheel];
   double y[kWheel];
   for ([[maybe_unused]] auto _ : state) {
@@ -176,7 +186,9 @@ void ClearanceOfABox(benchmark::State& state) {
   }
   SetRate(state, kWheels);
 }
-BENCHMARK(ClearanceOfABox)->ArgsProduct({{500, 200}, {0, 1}})->ArgNames({"mm", "scattered"});
+BENCHMARK(ClearanceOfABox)
+    ->ArgsProduct({{500, 200}, {kEastward, kNorthward, kScattered}})
+    ->ArgNames({"mm", "where"});
 
 // A vehicle driven across, on a raster (argument: cell size [mm]) or on a TIN (negative: its
 // triangles' width), with obstacles to pass under (cell size [mm]) or without (0). The rate is
@@ -189,7 +201,7 @@ void Rollout(benchmark::State& state) {
                   obstacles > 0 ? MakeBranches(obstacles) : ObstacleMap());
   if (state.range(0) < 0) terrain.set_tin(std::make_shared<const TinSurface>(MakeTin(size)));
   const auto vehicle = LoadVehicle("tomcar-tm27");
-  const Path path({{5, 20}, {50, 33}});
+  const Path path({{8, 8}, {50, 50}});
   double simulated = 0;
   for ([[maybe_unused]] auto _ : state) {
     simulated += DrivePath(terrain, *vehicle, path, path.Position(0), path.Heading(0), {}).time;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "continue_heights.h"
+#include "huge_pages.h"
 
 namespace dbd {
 namespace {
@@ -185,7 +186,10 @@ void HeightMap::ContinueHeightsIntoUnknown(std::vector<float>* heights) const {
 
 void HeightMap::StoreRowPairs(const std::vector<float>& heights) {
   const auto columns = static_cast<std::size_t>(grid_.columns);
-  row_pairs_.resize(columns * static_cast<std::size_t>(grid_.rows - 1));
+  const std::size_t pairs = columns * static_cast<std::size_t>(grid_.rows - 1);
+  row_pairs_.reserve(pairs);
+  AdviseHugePages(row_pairs_.data(), pairs * sizeof(RowPair));
+  row_pairs_.resize(pairs);
   for (std::size_t i = 0; i < row_pairs_.size(); ++i) {
     row_pairs_[i] = {heights[i], heights[i + columns]};
   }
