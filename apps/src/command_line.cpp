@@ -57,7 +57,7 @@ void DeclarePlan(CLI::App* app, Commands* commands) {
   CLI::App* command = AddCommand(
       app, "plan", "Find a route and prove it by driving it in simulation",
       std::string(kHeadingNote) +
-          "\nExit codes: 0 route, 2 bad input, 3 no safe route, 4 stopped.\n"
+          "\nExit codes: 0 route, 2 bad input, 3 no safe route, 4 stopped before any route.\n"
           "Example:\n  dbd plan --dem hills.tif --vehicle tomcar-tm27 --start 564050,146300 "
           "--goal 564950,146850 --out out/");
   AddTerrainFlags(command, &plan->terrain);
@@ -81,6 +81,11 @@ void DeclarePlan(CLI::App* app, Commands* commands) {
   command->add_option("--threads", plan->threads, "0 = all processors, the default")
       ->check(CLI::Range(0, 4096))
       ->option_text("N");
+  command
+      ->add_option("--deadline", plan->deadline_s,
+                   "Answer with the best so far when this many seconds have passed; default: none")
+      ->check(CLI::Range(1e-3, 1e9))
+      ->option_text("SECONDS");
   command
       ->add_option("--engine", plan->engine,
                    "lanes: many vehicles at once in single precision, the default; reference: one "

@@ -55,6 +55,8 @@ ordered_json RequestJson(const PlanRecord& record) {
           {"start", EndJson(frame, request.start, request.start_heading)},
           {"goal", EndJson(frame, request.goal, request.goal_heading)},
           {"candidates", record.options.sampling.candidates},
+          {"deadline_s", record.arguments.deadline_s > 0 ? ordered_json(record.arguments.deadline_s)
+                                                         : ordered_json(nullptr)},
           {"max_speed_kmh", Rounded(record.options.max_speed * 3.6, 6)}};
 }
 
@@ -114,6 +116,9 @@ std::string PlanJson(const PlanRecord& record) {
       plan.blocked_at ? PlaceJson(frame, *plan.blocked_at) : ordered_json(nullptr);
   document["certificate"] = chosen ? CertificateJson(*chosen, frame) : ordered_json(nullptr);
   document["candidates"] = CandidatesJson(record);
+  document["first_route_s"] = plan.first_route_time
+                                  ? ordered_json(Rounded(*plan.first_route_time, 4))
+                                  : ordered_json(nullptr);
   document["simulated_time"] = Rounded(plan.simulated_time, 3);
   document["seed"] = record.options.seed;
   document["engine"] = record.options.engine == RolloutEngine::kReference ? "reference" : "lanes";

@@ -102,6 +102,7 @@ std::string PlanSummary(const PlanRecord& record, const OutputDirectory& output)
   if (const Rollout* chosen = record.chosen()) {
     const std::string& origin = plan.candidates[static_cast<std::size_t>(*plan.chosen)].origin;
     text = Format("Route found: candidate %d (%s)\n", *plan.chosen, origin.c_str());
+    if (plan.status != PlanStatus::kRoute) text += Row("stopped", plan.reason);
     text += Row("drive", DriveTotals(*chosen));
     if (const std::string limit = TightestLimit(*chosen, frame); !limit.empty()) {
       text += Row("tightest", limit);

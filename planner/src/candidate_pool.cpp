@@ -35,6 +35,7 @@ bool CandidatePool::Offer(RouteDraft draft) {
 
 void CandidatePool::CompareReserveWith(std::size_t first_taken) {
   for (Entry& waiting : reserve_) {
+    ThrowIfStopped(stop_);
     for (std::size_t i = first_taken; i < taken_.size(); ++i) {
       waiting.separation = std::min(waiting.separation, Separation(waiting.trace, taken_[i].trace));
     }

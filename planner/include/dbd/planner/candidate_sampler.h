@@ -1,6 +1,7 @@
 #pragma once
 
 #include <dbd/planner/plan_types.h>
+#include <dbd/planner/stop.h>
 #include <dbd/planner/trafficability.h>
 
 #include <optional>
@@ -33,9 +34,11 @@ struct CandidateSet {
 /// fewer different ones exist, nearer variants fill up.
 ///
 /// Bit-identical for any `options.threads`. `progress` is called from the calling thread only.
-/// Throws InputError when an end lies outside the map or on unknown ground, or both coincide.
+/// Throws InputError when an end lies outside the map or on unknown ground, or both coincide, and
+/// StopRequested soon after `stop` was asked to.
 CandidateSet SampleCandidates(const Terrain& terrain, const VehicleModel& vehicle,
                               const TrafficabilityLayer& layer, const PlanRequest& request,
-                              const PlanOptions& options, const ProgressCallback& progress);
+                              const PlanOptions& options, const ProgressCallback& progress,
+                              const std::stop_token& stop = {});
 
 }  // namespace dbd

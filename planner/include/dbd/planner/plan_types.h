@@ -38,10 +38,12 @@ struct PlanOptions {
   SamplingOptions sampling;
   ScoringOptions scoring;
   std::uint64_t seed = 1;
-  double max_speed = 8.0;       ///< target speed on open ground [m/s]
-  int threads = 0;              ///< 0 = all
+  double max_speed = 8.0;  ///< target speed on open ground [m/s]
+  int threads = 0;         ///< 0 = all
   RolloutEngine engine = RolloutEngine::kLanes;
   double goal_tolerance = 2.0;  ///< [m]
+  /// Wall time for the answer [s]; then the best so far is given. Infinite: as long as it takes.
+  double deadline = std::numeric_limits<double>::infinity();
 
   /// Throws InputError that names the field, its value and the rule.
   void Validate() const;
@@ -132,6 +134,7 @@ struct Score {
   std::vector<std::pair<std::string, double>> terms;
 };
 
+/// kDeadline and kCancelled: stopped before the end; with the best route so far, if there is one.
 enum class PlanStatus { kRoute, kNoGo, kDeadline, kCancelled };
 const char* PlanStatusName(PlanStatus status);
 
@@ -146,10 +149,12 @@ struct Plan {
   std::vector<Score> scores;
   std::vector<std::pair<std::string, double>> timing;  ///< seconds per stage, in order
   double simulated_time = 0;                           ///< of all rollouts [s]
-  std::uint64_t digest = 0;                            ///< of everything that must be reproducible
+  /// Wall time until the first drive reached the goal [s]; nothing when none did.
+  std::optional<double> first_route_time;
+  std::uint64_t digest = 0;  ///< of everything that must be reproducible
 };
 
-/// Called now and then from the planning thread: stage name, done, total.
+/// Called now and then, from any thread but one call at a time: stage name, done, total.
 using ProgressCallback = std::function<void(const std::string& stage, int done, int total)>;
 
 }  // namespace dbd

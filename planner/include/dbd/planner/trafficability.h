@@ -1,6 +1,7 @@
 #pragma once
 
 #include <dbd/core/vehicle_model.h>
+#include <dbd/planner/stop.h>
 #include <dbd/terrain/terrain.h>
 
 #include <Eigen/Core>
@@ -65,11 +66,12 @@ struct TrafficabilityOptions {
 /// in cells that have one within the box's circumcircle: a grid inflated by half the width would
 /// either close gaps that the vehicle fits through or forget its corners.
 ///
-/// Immutable after construction, safe for many threads. Keeps a reference to the terrain.
+/// Immutable after construction, safe for many threads. Keeps a reference to the terrain. The
+/// constructor throws StopRequested soon after `stop` was asked to.
 class TrafficabilityLayer {
  public:
   TrafficabilityLayer(const Terrain& terrain, const VehicleModel& vehicle, double max_speed,
-                      const TrafficabilityOptions& options = {});
+                      const TrafficabilityOptions& options = {}, const std::stop_token& stop = {});
 
   /// Go or no-go with the vehicle's path point (`VehicleModel::path_point_x`) at x, y [m, W] and a
   /// heading [rad]. What is looked at is the ground under the vehicle's middle, which lies ahead.
@@ -122,12 +124,13 @@ class TrafficabilityLayer {
   };
 
   void LayOutGrid(const HeightMap& heights, double half_footprint);
-  void FillCells(double half_footprint, double step_limit);
-  void MarkNearObstacles();
-  void MarkNear(const ObstacleLayer& obstacles);
-  void MarkNearImpassable();
+  void FillCells(double half_footprint, double step_limit, const std::stop_token& stop);
+  void MarkNearObstacles(const std::stop_token& stop);
+  void MarkNear(const ObstacleLayer& obstacles, const std::stop_token& stop);
+  void MarkNearImpassable(const std::stop_token& stop);
   /// Dilates `marks` by `reach` [m] and sets `flag` in the cells that are marked then.
-  void FlagAround(std::vector<std::uint8_t> marks, double reach, std::uint8_t flag);
+  void FlagAround(std::vector<std::uint8_t> marks, double reach, std::uint8_t flag,
+                  const std::stop_token& stop);
   Footing FootingOn(const VehicleModel& vehicle, const Material& material) const;
   std::uint8_t MaterialIndexAt(double x, double y) const;
 
