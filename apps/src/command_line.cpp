@@ -73,6 +73,12 @@ void DeclarePlan(CLI::App* app, Commands* commands) {
       ->check(CLI::Range(1, 100000))
       ->option_text("N");
   command
+      ->add_option("--rounds", plan->rounds,
+                   "Most rounds that share these candidates, each learning from the drives before; "
+                   "default 3, 1 = all at once")
+      ->check(CLI::Range(1, 100))
+      ->option_text("N");
+  command
       ->add_option("--max-speed-kmh", plan->max_speed_kmh,
                    "Target speed on open ground, default 28.8")
       ->check(CLI::Range(0.1, 500.0))

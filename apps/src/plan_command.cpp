@@ -22,6 +22,7 @@ namespace {
 PlanOptions MakeOptions(const PlanArguments& arguments) {
   PlanOptions options;
   options.sampling.candidates = arguments.candidates;
+  options.learning.rounds = arguments.rounds;
   options.seed = arguments.seed;
   options.max_speed = KilometersPerHour(arguments.max_speed_kmh);
   options.threads = arguments.threads;

@@ -16,6 +16,7 @@ struct PlanArguments {
   std::string goal;
   Coordinates coordinates = Coordinates::kMap;
   int candidates = 32;
+  int rounds = 3;
   double max_speed_kmh = 28.8;
   std::uint64_t seed = 1;
   int threads = 0;

@@ -1,6 +1,7 @@
 #include "summary.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "json_parts.h"
@@ -78,6 +79,15 @@ std::string OutcomeCounts(const std::vector<Rollout>& rollouts) {
   return text;
 }
 
+std::string RoundGains(const std::vector<PlanRound>& rounds) {
+  std::string text;
+  for (const PlanRound& round : rounds) {
+    text += Format("%s%s %d: ", text.empty() ? "" : ", ", round.name.c_str(), round.candidates);
+    text += std::isfinite(round.best_score) ? Format("best %.1f s", round.best_score) : "none";
+  }
+  return text;
+}
+
 std::string PlanHeadline(const PlanRecord& record) {
   const Rollout* chosen = record.chosen();
   const std::string& vehicle = record.vehicle.name;
@@ -114,6 +124,7 @@ std::string PlanSummary(const PlanRecord& record, const OutputDirectory& output)
   }
   if (!plan.rollouts.empty()) {
     text += Row("driven", OutcomeCounts(plan.rollouts));
+    text += Row("rounds", RoundGains(plan.rounds));
     text += Row("simulated", SimulationSpeed(plan));
   }
   return text + Row("files", FilesWritten(output));

@@ -21,13 +21,8 @@ double LongestTime(const Path& path, double max_speed) {
 }
 
 DriveTask TaskOf(const Candidate& candidate, const PlanOptions& options) {
-  DriveOptions drive;
-  drive.target_speed = options.max_speed;
-  drive.duration = LongestTime(candidate.path, options.max_speed);
-  drive.trace_interval = 0;
-  drive.goal_tolerance = options.goal_tolerance;
-  drive.stop_at_violation = true;
-  return {&candidate.path, candidate.path.Position(0), candidate.path.Heading(0), drive};
+  return {&candidate.path, candidate.path.Position(0), candidate.path.Heading(0),
+          DriveOptionsFor(candidate, options)};
 }
 
 void DriveInLanes(const Terrain& terrain, const VehicleModel& vehicle, int threads,
@@ -49,6 +44,17 @@ void DriveOneByOne(const Terrain& terrain, const VehicleModel& vehicle, DriveQue
 }
 
 }  // namespace
+
+DriveOptions DriveOptionsFor(const Candidate& candidate, const PlanOptions& options) {
+  DriveOptions drive;
+  drive.target_speed = options.max_speed;
+  drive.duration = LongestTime(candidate.path, options.max_speed);
+  drive.trace_interval = 0;
+  drive.goal_tolerance = options.goal_tolerance;
+  drive.speed_caps = candidate.speed_caps;
+  drive.stop_at_violation = true;
+  return drive;
+}
 
 std::vector<Rollout> EvaluateRollouts(const Terrain& terrain, const VehicleModel& vehicle,
                                       const std::vector<Candidate>& candidates,

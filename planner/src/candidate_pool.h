@@ -1,6 +1,7 @@
 #pragma once
 
 #include <dbd/planner/dubins.h>
+#include <dbd/planner/plan_types.h>
 #include <dbd/planner/stop.h>
 
 #include <Eigen/Core>
@@ -24,6 +25,9 @@ class CandidatePool {
  public:
   explicit CandidatePool(double min_separation, std::stop_token stop = {})
       : min_separation_(min_separation), stop_(std::move(stop)) {}
+
+  /// Routes that are there already: others must differ from them too.
+  void AddKnown(const std::vector<Candidate>& known);
 
   /// Takes the route in when it is at least `min_separation` from every other; otherwise keeps it
   /// in reserve. Returns whether it was taken in.
@@ -52,9 +56,11 @@ class CandidatePool {
   };
 
   void CompareReserveWith(std::size_t first_taken);
+  void CompareReserveWith(const std::vector<Eigen::Vector2d>& trace);
 
   double min_separation_;
   std::stop_token stop_;
+  std::vector<std::vector<Eigen::Vector2d>> known_;  // traces
   std::vector<Entry> taken_;
   std::vector<Entry> reserve_;
 };

@@ -63,10 +63,11 @@ Candidate ToCandidate(const RouteDraft& draft, const PlanRequest& request) {
 CandidateSet SampleCandidates(const Terrain& terrain, const VehicleModel& vehicle,
                               const TrafficabilityLayer& layer, const PlanRequest& request,
                               const PlanOptions& options, const ProgressCallback& progress,
-                              const std::stop_token& stop) {
+                              const std::stop_token& stop, const std::vector<Candidate>& known) {
   CheckRequest(terrain, request);
   const OmplSilence silence;
   CandidatePool pool(options.sampling.min_separation, stop);
+  pool.AddKnown(known);
   CandidateSet set;
   tbb::task_arena arena(ThreadCount(options));
   arena.execute([&] {

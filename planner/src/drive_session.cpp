@@ -11,6 +11,13 @@ namespace {
 
 constexpr double kLookInterval = 0.02;  // [s]
 
+std::vector<double> SpeedLimits(const Terrain& terrain, const VehicleModel& vehicle,
+                                const Path& path, const DriveOptions& options) {
+  std::vector<double> limits = GroundSpeedLimits(terrain, vehicle, path);
+  ApplySpeedCaps(options.speed_caps, limits);
+  return limits;
+}
+
 }  // namespace
 
 DriveSession::DriveSession(const Terrain& terrain, const VehicleModel& vehicle, const Path& path,
@@ -22,7 +29,7 @@ DriveSession::DriveSession(const Terrain& terrain, const VehicleModel& vehicle, 
       options_(options),
       driver_(vehicle, path,
               {.target_speed = options.target_speed,
-               .speed_limits = GroundSpeedLimits(terrain, vehicle, path)}),
+               .speed_limits = SpeedLimits(terrain, vehicle, path, options)}),
       ride_(control_step),
       judge_(vehicle, options.stop_at_violation),
       control_step_(control_step),

@@ -89,12 +89,12 @@ void TrafficabilityLayer::FillCells(double half_footprint, double step_limit,
   unknown = Dilate(unknown, columns_, rows_, k + 1, stop);
   // A crest of height c needs residuals whose squares add up to at least c^2 / 2.
   const double rugged = crest_limit_ / (std::sqrt(2.0) * (2 * k + 1));
-  cells_.resize(fits.size());
+  cells_ = std::make_shared<std::vector<Cell>>(fits.size());
   for (int row = 0; row < rows_; ++row) {
     ThrowIfStopped(stop);
     for (int column = 0; column < columns_; ++column) {
       const std::size_t i = grid.Index(column, row);
-      Cell& cell = cells_[i];
+      Cell& cell = (*cells_)[i];
       cell.grade_x = fits[i].grade_x;
       cell.grade_y = fits[i].grade_y;
       cell.roughness = fits[i].roughness;
@@ -141,7 +141,7 @@ void TrafficabilityLayer::MarkNearObstacles(const std::stop_token& stop) {
 
 void TrafficabilityLayer::MarkNear(const ObstacleLayer& obstacles, const std::stop_token& stop) {
   const HeightMap::Grid& grid = obstacles.grid();
-  std::vector<std::uint8_t> marks(cells_.size(), 0);
+  std::vector<std::uint8_t> marks(cells_->size(), 0);
   for (int row = 0; row < grid.rows; ++row) {
     ThrowIfStopped(stop);
     for (int column = 0; column < grid.columns; ++column) {
@@ -162,8 +162,8 @@ void TrafficabilityLayer::MarkNear(const ObstacleLayer& obstacles, const std::st
 }
 
 void TrafficabilityLayer::MarkNearImpassable(const std::stop_token& stop) {
-  std::vector<std::uint8_t> marks(cells_.size());
-  std::transform(cells_.begin(), cells_.end(), marks.begin(), [](const Cell& cell) {
+  std::vector<std::uint8_t> marks(cells_->size());
+  std::transform(cells_->begin(), cells_->end(), marks.begin(), [](const Cell& cell) {
     return cell.reason == NoGoReason::kImpassableMaterial ? std::uint8_t{1} : std::uint8_t{0};
   });
   FlagAround(std::move(marks), std::hypot(half_wheelbase_, half_track_) + 2 * resolution_,
@@ -173,8 +173,8 @@ void TrafficabilityLayer::MarkNearImpassable(const std::stop_token& stop) {
 void TrafficabilityLayer::FlagAround(std::vector<std::uint8_t> marks, double reach,
                                      std::uint8_t flag, const std::stop_token& stop) {
   marks = Dilate(marks, columns_, rows_, static_cast<int>(std::ceil(reach / resolution_)), stop);
-  for (std::size_t i = 0; i < cells_.size(); ++i) {
-    if (marks[i]) cells_[i].flags |= flag;
+  for (std::size_t i = 0; i < cells_->size(); ++i) {
+    if (marks[i]) (*cells_)[i].flags |= flag;
   }
 }
 

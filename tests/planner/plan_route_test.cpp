@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <random>
 #include <thread>
 
@@ -124,6 +125,53 @@ TEST(PlanRoute, StopsAtAnyMoment) {
     if (plan.status == PlanStatus::kRoute) continue;  // done earlier than the first time
     EXPECT_EQ(plan.status, cancel ? PlanStatus::kCancelled : PlanStatus::kDeadline);
   }
+}
+
+PlanOptions InRounds() {
+  PlanOptions options = FewCandidates();
+  options.sampling.candidates = 16;  // 8, then 2 + 2 that learn, then 2 + 2 that polish
+  return options;
+}
+
+TEST(PlanRoute, SpendsItsBudgetInRoundsThatNeverLose) {
+  const Plan plan = PlanHill(InRounds());
+  ExpectConsistent(plan);
+  EXPECT_EQ(plan.candidates.size(), 16u);
+  ASSERT_GE(plan.rounds.size(), 3u);
+  EXPECT_EQ(plan.rounds.front().name, "sample");
+  EXPECT_EQ(plan.rounds.front().candidates, 8);
+  EXPECT_EQ(plan.rounds[1].name, "learn");
+  EXPECT_EQ(plan.rounds.back().name, "polish");
+  int driven = 0;
+  double best = std::numeric_limits<double>::infinity();
+  for (const PlanRound& round : plan.rounds) {
+    driven += round.candidates;
+    EXPECT_LE(round.best_score, best);
+    best = round.best_score;
+  }
+  EXPECT_EQ(driven, 16);
+  EXPECT_EQ(plan.scores[static_cast<std::size_t>(plan.chosen.value())].total, best);
+}
+
+TEST(PlanRoute, OneRoundLearnsNothing) {
+  PlanOptions options = InRounds();
+  options.learning.rounds = 1;
+  options.learning.polish_share = 0;
+  const Plan plan = PlanHill(options);
+  ASSERT_EQ(plan.rounds.size(), 1u);
+  EXPECT_EQ(plan.rounds[0].candidates, 16);
+}
+
+TEST(PlanRoute, HasTheSameDigestForAnyNumberOfThreads) {
+  PlanOptions options = InRounds();
+  options.threads = 1;
+  const std::uint64_t one = PlanHill(options).digest;
+  for (const int threads : {2, 3}) {
+    options.threads = threads;
+    EXPECT_EQ(PlanHill(options).digest, one) << threads;
+  }
+  options.seed = 2;
+  EXPECT_NE(PlanHill(options).digest, one);
 }
 
 TEST(PlanRoute, RefusesADeadlineInThePast) {

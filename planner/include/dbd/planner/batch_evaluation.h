@@ -1,6 +1,7 @@
 #pragma once
 
 #include <dbd/core/vehicle_model.h>
+#include <dbd/planner/drive.h>
 #include <dbd/planner/plan_types.h>
 #include <dbd/terrain/terrain.h>
 
@@ -10,6 +11,9 @@
 namespace dbd {
 
 using RolloutCallback = std::function<void(const Rollout&)>;
+
+/// How a candidate is driven to be judged.
+DriveOptions DriveOptionsFor(const Candidate& candidate, const PlanOptions& options);
 
 /// Drives every candidate in full dynamics, in parallel; slot i of the result is candidate i.
 ///

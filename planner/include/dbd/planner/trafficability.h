@@ -1,11 +1,13 @@
 #pragma once
 
 #include <dbd/core/vehicle_model.h>
+#include <dbd/planner/extra_cost.h>
 #include <dbd/planner/stop.h>
 #include <dbd/terrain/terrain.h>
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace dbd {
@@ -80,12 +82,16 @@ class TrafficabilityLayer {
   /// What speaks against the place whatever the heading; obstacles are not looked up.
   CellVerdict EvaluateAnyHeading(double x, double y) const;
 
-  /// Cost of travel there [s/m]: 1 / expected speed + climb + risk; infinite where no-go.
+  /// Cost of travel there [s/m]: 1 / expected speed + climb + risk + what `WithExtraCost` says;
+  /// infinite where no-go.
   ///
   /// With u the largest used share of a limit (roll, pitch, slope, traction, sinkage), the speed
   /// is max_speed (1 - 0.8 u) / (1 + roughness / roughness_scale), and the risk is
   /// risk_cost (u / (1.15 - u))^2, at most 100 risk_cost. Beside an obstacle u is at least 0.6.
   double SecondsPerMetre(double x, double y, double heading) const;
+
+  /// The same layer with another cost on top; it shares the cells.
+  TrafficabilityLayer WithExtraCost(std::shared_ptr<const ExtraCost> extra) const;
 
   /// No place costs less [s/m].
   double min_seconds_per_metre() const { return 1.0 / max_speed_; }
@@ -156,7 +162,8 @@ class TrafficabilityLayer {
   int columns_ = 0;
   int rows_ = 0;
   Eigen::Vector2d min_corner_;
-  std::vector<Cell> cells_;
+  std::shared_ptr<std::vector<Cell>> cells_;  // not changed after construction
+  std::shared_ptr<const ExtraCost> extra_;    // null: none
   std::vector<Footing> footings_;
 };
 
