@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-// Time of a height, and of a height with the three queries that its normal takes, on the same
-// 60 m x 60 m of rolling ground as rasters of different resolution and as a TIN.
+// What questions to the ground cost, on the same 60 m x 60 m of rolling ground as rasters of
+// different resolution and as a TIN, and what drives on it cost.
 
 namespace dbd {
 namespace {
@@ -51,115 +51,167 @@ TinSurface MakeTin(double spacing) {
   return TinSurface(std::move(vertices), std::move(triangles));
 }
 
-// Along a drive: 16 places of a wheel that moves on by 2 cm; or scattered over the ground.
-struct Places {
-  static constexpr int kWheel = 16;
-  std::vector<double> x;
-  std::vector<double> y;
+constexpr int kWheel = 16;  // places of a wheel's print
+
+enum Where { kEastward, kNorthward, kScattered };
+
+// Places of a wheel that moves on by 2 cm, across the ground and across it again, along the rows of
+// a raster or across them; or scattered by an additive recurrence. Made as they are needed: a list
+// of them would take the place in the cache that a drive leaves to the ground.
+class Places {
+ public:
+  explicit Places(std::int64_t where) : where_(where) {}
+
+  void Next(double* x, double* y) {
+    if (where_ == kScattered) {
+      for (int i = 0; i < kWheel; ++i) {
+        x[i] = 1 + (kSide - 2) * Advance(0.7548776662466927, &u_);
+        y[i] = 1 + (kSide - 2) * Advance(0.5698402909980532, &v_);
+      }
+      return;
+    }
+    driven_ = driven_ < 50 ? driven_ + 0.02 : 0;
+    double* ahead = where_ == kEastward ? x : y;
+    double* aside = where_ == kEastward ? y : x;
+    for (int i = 0; i < kWheel; ++i) {
+      ahead[i] = 5 + driven_ + 0.05 * i;
+      aside[i] = 20 + 0.3 * driven_;
+    }
+  }
+
+ private:
+  static double Advance(double step, double* value) {
+    *value += step;
+    if (*value >= 1) *value -= 1;
+    return *value;
+  }
+
+  std::int64_t where_;
+  double driven_ = 0;
+  double u_ = 0;
+  double v_ = 0;
 };
 
-Places MakePlaces(bool scattered) {
-  Places places;
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> anywhere(1, kSide - 1);
-  for (int i = 0; i < 2500 * Places::kWheel; ++i) {
-    const double driven = 5 + 0.02 * (i / Places::kWheel);
-    const double along = 0.05 * (i % Places::kWheel);
-    places.x.push_back(scattered ? anywhere(random) : driven + along);
-    places.y.push_back(scattered ? anywhere(random) : 20 + 0.3 * driven);
-  }
-  return places;
+// A drive of 50 m, 2500 times a wheel.
+constexpr int kWheels = 2500;
+
+void SetRate(benchmark::State& state, int queries) {
+  state.SetItemsProcessed(state.iterations() * queries);
+  state.counters["ns"] = benchmark::Counter(
+      1e-9 * queries, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
-void SetRate(benchmark::State& state, std::size_t queries) {
-  state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()) *
-                          static_cast<std::int64_t>(queries));
-}
-
-// Arguments: cell size [mm], scattered.
-void RasterHeights(benchmark::State& state) {
-  const HeightMap map = MakeRaster(1e-3 * static_cast<double>(state.range(0)));
-  const Places places = MakePlaces(state.range(1) != 0);
-  double z[Places::kWheel];
+// Calls `heights(count, x, y, z)` for each wheel: one query for a height, three for a normal too.
+template <typename Heights>
+void AskForHeights(benchmark::State& state, bool with_normal, Heights heights) {
+  Places places(state.range(1));
+  double x[3 * kWheel];
+  double y[3 * kWheel];
+  double z[3 * kWheel];
   for ([[maybe_unused]] auto _ : state) {
-    for (std::size_t i = 0; i < places.x.size(); i += Places::kWheel) {
-      map.Heights(Places::kWheel, &places.x[i], &places.y[i], z);
+    for (int wheel = 0; wheel < kWheels; ++wheel) {
+      places.Next(x, y);
+      for (int i = 0; with_normal && i < kWheel; ++i) {
+        x[kWheel + i] = x[i] + 0.1;
+        y[kWheel + i] = y[i];
+        x[2 * kWheel + i] = x[i];
+        y[2 * kWheel + i] = y[i] + 0.1;
+      }
+      heights(with_normal ? 3 * kWheel : kWheel, x, y, z);
       benchmark::DoNotOptimize(z);
     }
   }
-  SetRate(state, places.x.size());
+  SetRate(state, kWheels * kWheel);
 }
-BENCHMARK(RasterHeights)->ArgsProduct({{1000, 100, 20}, {0, 1}})->ArgNames({"mm", "scattered"});
 
-void RasterHeightAndNormal(benchmark::State& state) {
+void AskRaster(benchmark::State& state, bool with_normal) {
   const HeightMap map = MakeRaster(1e-3 * static_cast<double>(state.range(0)));
-  const Places places = MakePlaces(state.range(1) != 0);
-  for ([[maybe_unused]] auto _ : state) {
-    for (std::size_t i = 0; i < places.x.size(); ++i) {
-      const double x[] = {places.x[i], places.x[i] + 0.1, places.x[i]};
-      const double y[] = {places.y[i], places.y[i], places.y[i] + 0.1};
-      double z[3];
-      map.Heights(3, x, y, z);
-      benchmark::DoNotOptimize(z);
-    }
-  }
-  SetRate(state, places.x.size());
+  AskForHeights(state, with_normal, [&map](int count, const double* x, const double* y, double* z) {
+    map.Heights(count, x, y, z);
+  });
 }
-BENCHMARK(RasterHeightAndNormal)
-    ->ArgsProduct({{1000, 100, 20}, {0, 1}})
-    ->ArgNames({"mm", "scattered"});
 
-void TinHeights(benchmark::State& state) {
+void AskTin(benchmark::State& state, bool with_normal) {
   const TinSurface tin = MakeTin(1e-3 * static_cast<double>(state.range(0)));
-  const Places places = MakePlaces(state.range(1) != 0);
+  AskForHeights(state, with_normal, [&tin](int count, const double* x, const double* y, double* z) {
+    for (int i = 0; i < count; ++i) tin.FindHeight(x[i], y[i], &z[i]);
+  });
+}
+
+// Arguments: cell size [mm], Where.
+void RasterHeights(benchmark::State& state) { AskRaster(state, false); }
+BENCHMARK(RasterHeights)
+    ->ArgsProduct({{1000, 100, 20}, {kEastward, kNorthward, kScattered}})
+    ->ArgNames({"mm", "where"});
+
+void RasterHeightAndNormal(benchmark::State& state) { AskRaster(state, true); }
+BENCHMARK(RasterHeightAndNormal)
+    ->ArgsProduct({{1000, 100, 20}, {kEastward, kNorthward, kScattered}})
+    ->ArgNames({"mm", "where"});
+
+// The argument is the triangles' width [mm].
+void TinHeights(benchmark::State& state) { AskTin(state, false); }
+BENCHMARK(TinHeights)
+    ->ArgsProduct({{1000, 100}, {kEastward, kNorthward, kScattered}})
+    ->ArgNames({"mm", "where"});
+
+void TinHeightAndNormal(benchmark::State& state) { AskTin(state, true); }
+BENCHMARK(TinHeightAndNormal)
+    ->ArgsProduct({{1000, 100}, {kEastward, kNorthward, kScattered}})
+    ->ArgNames({"mm", "where"});
+
+// Branches over one cell in a hundred, which the vehicle passes under.
+ObstacleMap MakeBranches(double cell) {
+  const int cells = static_cast<int>(kSide / cell);
+  const HeightMap::Grid grid{cells, cells, {0, 0}, {cell, cell}};
+  std::mt19937 random(1);
+  std::vector<float> lowest(grid.CellCount(), std::numeric_limits<float>::infinity());
+  for (float& height : lowest) {
+    if (random() % 100 == 0) height = 2.5F;
+  }
+  return ObstacleMap(grid, std::move(lowest));
+}
+
+// A vehicle's box, 4 m x 2 m.
+void ClearanceOfABox(benchmark::State& state) {
+  const ObstacleMap map = MakeBranches(1e-3 * static_cast<double>(state.range(0)));
+  Places places(state.range(1));
+  double x[kWheel];
+  double y[kWheel];
   for ([[maybe_unused]] auto _ : state) {
-    for (std::size_t i = 0; i < places.x.size(); ++i) {
-      double z = 0;
-      benchmark::DoNotOptimize(tin.FindHeight(places.x[i], places.y[i], &z));
+    for (int wheel = 0; wheel < kWheels; ++wheel) {
+      places.Next(x, y);
+      benchmark::DoNotOptimize(map.BlocksBox({x[0], y[0]}, 0.3, {2, 1}, 2.0));
     }
   }
-  SetRate(state, places.x.size());
+  SetRate(state, kWheels);
 }
-BENCHMARK(TinHeights)->ArgsProduct({{1000, 100}, {0, 1}})->ArgNames({"mm", "scattered"});
+BENCHMARK(ClearanceOfABox)
+    ->ArgsProduct({{500, 200}, {kEastward, kNorthward, kScattered}})
+    ->ArgNames({"mm", "where"});
 
-// A vehicle driven across, on a raster (argument: cell size [mm]) or on a TIN (negative: spacing).
-// The rate is simulated seconds per second: the real-time factor.
+// A vehicle driven across, on a raster (argument: cell size [mm]) or on a TIN (negative: its
+// triangles' width), with obstacles to pass under (cell size [mm]) or without (0). The rate is
+// simulated seconds per second: the real-time factor.
 void Rollout(benchmark::State& state) {
   const double size = 1e-3 * static_cast<double>(std::abs(state.range(0)));
+  const double obstacles = 1e-3 * static_cast<double>(state.range(1));
   Terrain terrain(LocalFrame("", Eigen::Vector2d::Zero()),
                   MakeRaster(state.range(0) > 0 ? size : 0.5), MaterialMap(Material()),
-                  ObstacleMap());
+                  obstacles > 0 ? MakeBranches(obstacles) : ObstacleMap());
   if (state.range(0) < 0) terrain.set_tin(std::make_shared<const TinSurface>(MakeTin(size)));
   const auto vehicle = LoadVehicle("tomcar-tm27");
-  const Path path({{5, 20}, {50, 33}});
+  const Path path({{8, 8}, {50, 50}});
   double simulated = 0;
   for ([[maybe_unused]] auto _ : state) {
     simulated += DrivePath(terrain, *vehicle, path, path.Position(0), path.Heading(0), {}).time;
   }
   state.counters["real_time_factor"] = benchmark::Counter(simulated, benchmark::Counter::kIsRate);
 }
-BENCHMARK(Rollout)->ArgsProduct({{1000, 100, 20, -1000, -100}})->ArgName("mm");
-
-// A vehicle's box, 4 m x 2 m, over obstacles on one cell in a hundred.
-void ClearanceOfABox(benchmark::State& state) {
-  const double cell = 1e-3 * static_cast<double>(state.range(0));
-  const int cells = static_cast<int>(kSide / cell);
-  const HeightMap::Grid grid{cells, cells, {0, 0}, {cell, cell}};
-  std::mt19937 random(1);
-  std::vector<float> lowest(grid.CellCount(), std::numeric_limits<float>::infinity());
-  for (float& height : lowest) {
-    if (random() % 100 == 0) height = 2.5F;  // a branch that the vehicle passes under
-  }
-  const ObstacleMap map(grid, std::move(lowest));
-  const Places places = MakePlaces(state.range(1) != 0);
-  for ([[maybe_unused]] auto _ : state) {
-    for (std::size_t i = 0; i < places.x.size(); i += Places::kWheel) {
-      benchmark::DoNotOptimize(map.BlocksBox({places.x[i], places.y[i]}, 0.3, {2, 1}, 2.0));
-    }
-  }
-  SetRate(state, places.x.size() / Places::kWheel);
-}
-BENCHMARK(ClearanceOfABox)->ArgsProduct({{500, 200}, {0, 1}})->ArgNames({"mm", "scattered"});
+BENCHMARK(Rollout)
+    ->ArgsProduct({{1000, 100, 20, -1000, -100}, {0}})
+    ->ArgsProduct({{1000}, {500, 200}})
+    ->ArgNames({"mm", "obstacles_mm"});
 
 }  // namespace
 }  // namespace dbd

@@ -63,7 +63,7 @@ void DeclarePlan(CLI::App* app, Commands* commands) {
   CLI::App* command = AddCommand(
       app, "plan", "Find a route and prove it by driving it in simulation",
       std::string(kHeadingNote) +
-          "\nExit codes: 0 route, 2 bad input, 3 no safe route, 4 stopped.\n"
+          "\nExit codes: 0 route, 2 bad input, 3 no safe route, 4 stopped before any route.\n"
           "Example:\n  dbd plan --dem hills.tif --vehicle tomcar-tm27 --start 564050,146300 "
           "--goal 564950,146850 --out out/");
   AddTerrainFlags(command, &plan->terrain);
@@ -79,12 +79,23 @@ void DeclarePlan(CLI::App* app, Commands* commands) {
       ->check(CLI::Range(1, 100000))
       ->option_text("N");
   command
+      ->add_option("--rounds", plan->rounds,
+                   "Most rounds that share these candidates, each learning from the drives before; "
+                   "default 3, 1 = all at once")
+      ->check(CLI::Range(1, 100))
+      ->option_text("N");
+  command
       ->add_option("--max-speed-kmh", plan->max_speed_kmh,
                    "Target speed on open ground, default 28.8")
       ->check(CLI::Range(0.1, 500.0))
       ->option_text("V");
   command->add_option("--seed", plan->seed, "Of the sampling, default 1")->option_text("N");
   AddThreadsFlag(command, &plan->threads);
+  command
+      ->add_option("--deadline", plan->deadline_s,
+                   "Answer with the best so far when this many seconds have passed; default: none")
+      ->check(CLI::Range(1e-3, 1e9))
+      ->option_text("SECONDS");
   command
       ->add_option("--engine", plan->engine,
                    "lanes: many vehicles at once in single precision, the default; reference: one "

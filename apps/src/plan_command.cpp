@@ -5,6 +5,8 @@
 #include <dbd/core/vehicle_database.h>
 #include <dbd/planner/plan_route.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cstdio>
 
 #include "cli.h"
@@ -20,6 +22,7 @@ namespace {
 PlanOptions MakeOptions(const PlanArguments& arguments) {
   PlanOptions options;
   options.sampling.candidates = arguments.candidates;
+  options.learning.rounds = arguments.rounds;
   options.seed = arguments.seed;
   options.max_speed = KilometersPerHour(arguments.max_speed_kmh);
   options.threads = arguments.threads;
@@ -54,11 +57,18 @@ Plan PlanWithProgress(const std::shared_ptr<const Terrain>& terrain,
       stop);
 }
 
+/// What loading has left of the deadline [s].
+double TimeLeft(std::chrono::steady_clock::time_point begin, double deadline) {
+  const std::chrono::duration<double> used = std::chrono::steady_clock::now() - begin;
+  return std::max(0.0, deadline - used.count());
+}
+
 }  // namespace
 
 int RunPlan(const PlanArguments& arguments) {
+  const auto begin = std::chrono::steady_clock::now();
   Interrupt interrupt;
-  const PlanOptions options = MakeOptions(arguments);
+  PlanOptions options = MakeOptions(arguments);
   const TypedPlace start = ParsePlace("--start", arguments.start);
   const TypedPlace goal = ParsePlace("--goal", arguments.goal);
   OutputDirectory output(arguments.out);
@@ -67,15 +77,18 @@ int RunPlan(const PlanArguments& arguments) {
   places.In(arguments.coordinates) = {start.xy, goal.xy};
   const auto terrain = LoadTerrain(arguments.terrain, places);
   const PlanRequest request = MakeRequest(arguments, start, goal, *terrain);
+  if (arguments.deadline_s > 0) options.deadline = TimeLeft(begin, arguments.deadline_s);
   const Plan plan = PlanWithProgress(terrain, vehicle, request, options, interrupt.token());
-  if (plan.status == PlanStatus::kCancelled || plan.status == PlanStatus::kDeadline) {
-    PrintError(plan.reason.empty() ? "stopped before there was an answer" : plan.reason);
+  const bool stopped =
+      plan.status == PlanStatus::kCancelled || plan.status == PlanStatus::kDeadline;
+  if (stopped && !plan.chosen) {
+    PrintError(plan.reason);
     return kExitStopped;
   }
   const PlanRecord record{arguments, *terrain, *vehicle, request, options, plan};
   WritePlanFiles(record, &output);
   std::fputs((arguments.json ? PlanJson(record) : PlanSummary(record, output)).c_str(), stdout);
-  return plan.status == PlanStatus::kRoute ? kExitOk : kExitNoSafeRoute;
+  return plan.chosen ? kExitOk : kExitNoSafeRoute;
 }
 
 }  // namespace dbd

@@ -16,9 +16,11 @@ struct PlanArguments {
   std::string goal;
   Coordinates coordinates = Coordinates::kMap;
   int candidates = 32;
+  int rounds = 3;
   double max_speed_kmh = 28.8;
   std::uint64_t seed = 1;
   int threads = 0;
+  double deadline_s = 0;  ///< of the whole command, without writing; 0: none
   std::string engine = "lanes";
   std::string out;
   bool json = false;

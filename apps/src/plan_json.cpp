@@ -2,6 +2,7 @@
 
 #include <dbd/core/units.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "json_parts.h"
@@ -55,6 +56,8 @@ ordered_json RequestJson(const PlanRecord& record) {
           {"start", EndJson(frame, request.start, request.start_heading)},
           {"goal", EndJson(frame, request.goal, request.goal_heading)},
           {"candidates", record.options.sampling.candidates},
+          {"deadline_s", record.arguments.deadline_s > 0 ? ordered_json(record.arguments.deadline_s)
+                                                         : ordered_json(nullptr)},
           {"max_speed_kmh", Rounded(record.options.max_speed * 3.6, 6)}};
 }
 
@@ -66,6 +69,16 @@ ordered_json ScoreJson(const Score& score) {
           {"terms", std::move(terms)}};
 }
 
+ordered_json SpeedCapsJson(const Candidate& candidate) {
+  ordered_json caps = ordered_json::array();
+  for (const SpeedCap& cap : candidate.speed_caps) {
+    caps.push_back({{"from", Rounded(cap.from, 2)},
+                    {"to", Rounded(cap.to, 2)},
+                    {"speed", Rounded(cap.speed, 3)}});
+  }
+  return caps;
+}
+
 ordered_json CandidatesJson(const PlanRecord& record) {
   const Plan& plan = record.plan;
   ordered_json candidates = ordered_json::array();
@@ -73,11 +86,27 @@ ordered_json CandidatesJson(const PlanRecord& record) {
     ordered_json candidate = {{"id", i},
                               {"origin", plan.candidates[i].origin},
                               {"path_length", Rounded(plan.candidates[i].path.length(), 3)}};
+    if (!plan.candidates[i].speed_caps.empty()) {
+      candidate["speed_caps"] = SpeedCapsJson(plan.candidates[i]);
+    }
     candidate.update(RolloutJson(plan.rollouts[i], record.terrain.frame()));
     candidate["score"] = ScoreJson(plan.scores[i]);
     candidates.push_back(std::move(candidate));
   }
   return candidates;
+}
+
+ordered_json RoundsJson(const Plan& plan) {
+  ordered_json rounds = ordered_json::array();
+  for (const PlanRound& round : plan.rounds) {
+    rounds.push_back(
+        {{"name", round.name},
+         {"candidates", round.candidates},
+         {"reached", round.reached},
+         {"best_score", std::isfinite(round.best_score) ? ordered_json(Rounded(round.best_score, 3))
+                                                        : ordered_json(nullptr)}});
+  }
+  return rounds;
 }
 
 ordered_json TimingJson(const Plan& plan) {
@@ -100,7 +129,11 @@ std::string PlanJson(const PlanRecord& record) {
   document["blocked_at"] =
       plan.blocked_at ? PlaceJson(frame, *plan.blocked_at) : ordered_json(nullptr);
   document["certificate"] = chosen ? CertificateJson(*chosen, frame) : ordered_json(nullptr);
+  document["rounds"] = RoundsJson(plan);
   document["candidates"] = CandidatesJson(record);
+  document["first_route_s"] = plan.first_route_time
+                                  ? ordered_json(Rounded(*plan.first_route_time, 4))
+                                  : ordered_json(nullptr);
   document["simulated_time"] = Rounded(plan.simulated_time, 3);
   document["seed"] = record.options.seed;
   document["engine"] = record.options.engine == RolloutEngine::kReference ? "reference" : "lanes";

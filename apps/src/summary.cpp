@@ -1,6 +1,7 @@
 #include "summary.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "json_parts.h"
@@ -78,6 +79,15 @@ std::string OutcomeCounts(const std::vector<Rollout>& rollouts) {
   return text;
 }
 
+std::string RoundGains(const std::vector<PlanRound>& rounds) {
+  std::string text;
+  for (const PlanRound& round : rounds) {
+    text += Format("%s%s %d: ", text.empty() ? "" : ", ", round.name.c_str(), round.candidates);
+    text += std::isfinite(round.best_score) ? Format("best %.1f s", round.best_score) : "none";
+  }
+  return text;
+}
+
 std::string PlanHeadline(const PlanRecord& record) {
   const Rollout* chosen = record.chosen();
   const std::string& vehicle = record.vehicle.name;
@@ -102,6 +112,7 @@ std::string PlanSummary(const PlanRecord& record, const OutputDirectory& output)
   if (const Rollout* chosen = record.chosen()) {
     const std::string& origin = plan.candidates[static_cast<std::size_t>(*plan.chosen)].origin;
     text = Format("Route found: candidate %d (%s)\n", *plan.chosen, origin.c_str());
+    if (plan.status != PlanStatus::kRoute) text += Row("stopped", plan.reason);
     text += Row("drive", DriveTotals(*chosen));
     if (const std::string limit = TightestLimit(*chosen, frame); !limit.empty()) {
       text += Row("tightest", limit);
@@ -113,6 +124,7 @@ std::string PlanSummary(const PlanRecord& record, const OutputDirectory& output)
   }
   if (!plan.rollouts.empty()) {
     text += Row("driven", OutcomeCounts(plan.rollouts));
+    text += Row("rounds", RoundGains(plan.rounds));
     text += Row("simulated", SimulationSpeed(plan));
   }
   return text + Row("files", FilesWritten(output));

@@ -21,13 +21,8 @@ double LongestTime(const Path& path, double max_speed) {
 }
 
 DriveTask TaskOf(const Candidate& candidate, const PlanOptions& options) {
-  DriveOptions drive;
-  drive.target_speed = options.max_speed;
-  drive.duration = LongestTime(candidate.path, options.max_speed);
-  drive.trace_interval = 0;
-  drive.goal_tolerance = options.goal_tolerance;
-  drive.stop_at_violation = true;
-  return {&candidate.path, candidate.path.Position(0), candidate.path.Heading(0), drive};
+  return {&candidate.path, candidate.path.Position(0), candidate.path.Heading(0),
+          DriveOptionsFor(candidate, options)};
 }
 
 void DriveInLanes(const Terrain& terrain, const VehicleModel& vehicle, int threads,
@@ -44,25 +39,35 @@ void DriveOneByOne(const Terrain& terrain, const VehicleModel& vehicle, DriveQue
     const DriveTask& task = queue.tasks[i];
     queue.rollouts[i] =
         DrivePath(terrain, vehicle, *task.path, task.start, task.heading, task.options, queue.stop);
-    queue.on_done();
+    queue.on_done(queue.rollouts[i]);
   });
 }
 
 }  // namespace
 
+DriveOptions DriveOptionsFor(const Candidate& candidate, const PlanOptions& options) {
+  DriveOptions drive;
+  drive.target_speed = options.max_speed;
+  drive.duration = LongestTime(candidate.path, options.max_speed);
+  drive.trace_interval = 0;
+  drive.goal_tolerance = options.goal_tolerance;
+  drive.speed_caps = candidate.speed_caps;
+  drive.stop_at_violation = true;
+  return drive;
+}
+
 std::vector<Rollout> EvaluateRollouts(const Terrain& terrain, const VehicleModel& vehicle,
                                       const std::vector<Candidate>& candidates,
-                                      const PlanOptions& options, const ProgressCallback& progress,
+                                      const PlanOptions& options, const RolloutCallback& on_done,
                                       std::stop_token stop) {
   std::vector<Rollout> rollouts(candidates.size());
   std::vector<DriveTask> tasks;
   for (const Candidate& candidate : candidates) tasks.push_back(TaskOf(candidate, options));
-  std::mutex progress_mutex;
-  int done = 0;
-  const auto report = [&] {
-    if (!progress) return;
-    const std::lock_guard lock(progress_mutex);
-    progress("drive", ++done, static_cast<int>(candidates.size()));
+  std::mutex report_mutex;
+  const auto report = [&](const Rollout& rollout) {
+    if (!on_done) return;
+    const std::lock_guard lock(report_mutex);
+    on_done(rollout);
   };
   DriveQueue queue{tasks, rollouts, report, stop};
   const int threads = ThreadCount(options);

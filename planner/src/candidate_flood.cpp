@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace dbd {
 namespace {
@@ -20,16 +21,18 @@ double MoveHeading(int move) { return move * std::numbers::pi / 4; }
 }  // namespace
 
 CellFlood::CellFlood(const TrafficabilityLayer& layer, const Eigen::Vector2d& origin,
-                     FloodDirection direction)
+                     FloodDirection direction, std::stop_token stop)
     : layer_(layer),
       origin_(origin),
       direction_(direction),
+      stop_(std::move(stop)),
       reached_by_(static_cast<std::size_t>(layer.columns()) * layer.rows(), kDry) {
   const CellIndex first = IndexOf(origin);
   if (!Inside(first)) return;
   reached_by_[Slot(first)] = kOrigin;
   std::vector<CellIndex> queue{first};
   for (std::size_t next = 0; next < queue.size(); ++next) {
+    ThrowIfStopped(stop_);
     const CellIndex cell = queue[next];
     for (int move = 0; move < kMoves; ++move) {
       const CellIndex to = Neighbour(cell, move);
@@ -68,6 +71,7 @@ CellFlood::Barrier CellFlood::BarrierTowards(const Eigen::Vector2d& other) const
   std::array<Eigen::Vector2d, kNoGoReasonCount> places;
   places.fill(origin_);
   for (int row = 0; row < layer_.rows(); ++row) {
+    ThrowIfStopped(stop_);
     for (int column = 0; column < layer_.columns(); ++column) {
       const CellIndex cell{column, row};
       if (reached_by_[Slot(cell)] == kDry) continue;

@@ -22,8 +22,19 @@ CandidatePool::Entry::Entry(RouteDraft route)
 
 void CandidatePool::Reserve(RouteDraft draft) { reserve_.emplace_back(std::move(draft)); }
 
+void CandidatePool::AddKnown(const std::vector<Candidate>& known) {
+  for (const Candidate& candidate : known) {
+    known_.push_back(Thin(candidate.path.points(), kTraceSpacing));
+  }
+}
+
 bool CandidatePool::Offer(RouteDraft draft) {
   Entry entry(std::move(draft));
+  for (const std::vector<Eigen::Vector2d>& trace : known_) {
+    if (Separation(entry.trace, trace) >= min_separation_) continue;
+    reserve_.push_back(std::move(entry));
+    return false;
+  }
   for (const Entry& other : taken_) {
     if (Separation(entry.trace, other.trace) >= min_separation_) continue;
     reserve_.push_back(std::move(entry));
@@ -34,15 +45,21 @@ bool CandidatePool::Offer(RouteDraft draft) {
 }
 
 void CandidatePool::CompareReserveWith(std::size_t first_taken) {
+  for (std::size_t i = first_taken; i < taken_.size(); ++i) CompareReserveWith(taken_[i].trace);
+}
+
+void CandidatePool::CompareReserveWith(const std::vector<Eigen::Vector2d>& trace) {
   for (Entry& waiting : reserve_) {
-    for (std::size_t i = first_taken; i < taken_.size(); ++i) {
-      waiting.separation = std::min(waiting.separation, Separation(waiting.trace, taken_[i].trace));
-    }
+    ThrowIfStopped(stop_);
+    waiting.separation = std::min(waiting.separation, Separation(waiting.trace, trace));
   }
 }
 
 void CandidatePool::FillUp(int count) {
-  if (size() < count) CompareReserveWith(0);
+  if (size() < count) {
+    for (const std::vector<Eigen::Vector2d>& trace : known_) CompareReserveWith(trace);
+    CompareReserveWith(0);
+  }
   while (size() < count && !reserve_.empty()) {
     const auto best = std::max_element(
         reserve_.begin(), reserve_.end(),

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <dbd/planner/dubins.h>
+#include <dbd/planner/plan_types.h>
+#include <dbd/planner/stop.h>
 
 #include <Eigen/Core>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace dbd {
@@ -20,7 +23,11 @@ struct RouteDraft {
 /// Keeps routes that differ from each other, in the order of their arrival.
 class CandidatePool {
  public:
-  explicit CandidatePool(double min_separation) : min_separation_(min_separation) {}
+  explicit CandidatePool(double min_separation, std::stop_token stop = {})
+      : min_separation_(min_separation), stop_(std::move(stop)) {}
+
+  /// Routes that are there already: others must differ from them too.
+  void AddKnown(const std::vector<Candidate>& known);
 
   /// Takes the route in when it is at least `min_separation` from every other; otherwise keeps it
   /// in reserve. Returns whether it was taken in.
@@ -30,7 +37,7 @@ class CandidatePool {
   void Reserve(RouteDraft draft);
 
   /// Takes in routes from the reserve until there are `count`, each time the one that differs
-  /// most from those taken in; never the same trace twice.
+  /// most from those taken in; never the same trace twice. Throws StopRequested when asked to.
   void FillUp(int count);
 
   int size() const { return static_cast<int>(taken_.size()); }
@@ -49,8 +56,11 @@ class CandidatePool {
   };
 
   void CompareReserveWith(std::size_t first_taken);
+  void CompareReserveWith(const std::vector<Eigen::Vector2d>& trace);
 
   double min_separation_;
+  std::stop_token stop_;
+  std::vector<std::vector<Eigen::Vector2d>> known_;  // traces
   std::vector<Entry> taken_;
   std::vector<Entry> reserve_;
 };

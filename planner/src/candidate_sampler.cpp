@@ -62,14 +62,16 @@ Candidate ToCandidate(const RouteDraft& draft, const PlanRequest& request) {
 
 CandidateSet SampleCandidates(const Terrain& terrain, const VehicleModel& vehicle,
                               const TrafficabilityLayer& layer, const PlanRequest& request,
-                              const PlanOptions& options, const ProgressCallback& progress) {
+                              const PlanOptions& options, const ProgressCallback& progress,
+                              const std::stop_token& stop, const std::vector<Candidate>& known) {
   CheckRequest(terrain, request);
   const OmplSilence silence;
-  CandidatePool pool(options.sampling.min_separation);
+  CandidatePool pool(options.sampling.min_separation, stop);
+  pool.AddKnown(known);
   CandidateSet set;
   tbb::task_arena arena(ThreadCount(options));
   arena.execute([&] {
-    set.diagnosis = CandidateSearch(vehicle, layer, request, options).Run(&pool, progress);
+    set.diagnosis = CandidateSearch(vehicle, layer, request, options, stop).Run(&pool, progress);
   });
   for (const RouteDraft& draft : pool.TakeSorted()) {
     set.candidates.push_back(ToCandidate(draft, request));

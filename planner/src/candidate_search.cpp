@@ -54,10 +54,12 @@ int Share(double share, int count) { return static_cast<int>(std::ceil(share * c
 }  // namespace
 
 CandidateSearch::CandidateSearch(const VehicleModel& vehicle, const TrafficabilityLayer& layer,
-                                 const PlanRequest& request, const PlanOptions& options)
+                                 const PlanRequest& request, const PlanOptions& options,
+                                 std::stop_token stop)
     : layer_(layer),
       request_(request),
       options_(options),
+      stop_(std::move(stop)),
       turning_radius_(vehicle.min_turning_radius()) {
   const Eigen::Vector2d way = request.goal - request.start;
   const double towards = std::atan2(way.y(), way.x());
@@ -152,10 +154,10 @@ bool CandidateSearch::ConnectRoadmap() {
     roadmap_options.nodes =
         static_cast<int>(std::min<double>(options_.sampling.roadmap_nodes, crowded)) << round;
     roadmap_options.seed = DeriveSeed(options_.seed, streams_used_++);
-    roadmap_ = std::make_unique<Roadmap>(layer_, turning_radius_, query_, roadmap_options);
+    roadmap_ = std::make_unique<Roadmap>(layer_, turning_radius_, query_, roadmap_options, stop_);
     if (!roadmap_->FindRoute().empty()) return true;
     if (round == 0) {
-      const CellFlood flood(layer_, request_.start, FloodDirection::kFrom);
+      const CellFlood flood(layer_, request_.start, FloodDirection::kFrom, stop_);
       way = flood.WayTo(request_.goal);
       query_.guides = GuidePoses(layer_, way, turning_radius_);
     } else if (way.empty()) {
@@ -202,14 +204,16 @@ std::vector<RouteDraft> CandidateSearch::Generate(const Wave& wave) {
       const int iterations =
           optimize ? options_.sampling.planner_iterations : kRrtConnectIterations;
       const std::uint64_t seed = DeriveSeed(options_.seed, first_stream + wave.roadmap + i);
-      drafts[wave.roadmap + i] = {OmplPlannerName(planner),
-                                  SolveWithOmpl(planner, layer_, ompl_query, seed, iterations),
-                                  0,
-                                  {}};
+      drafts[wave.roadmap + i] = {
+          OmplPlannerName(planner),
+          SolveWithOmpl(planner, layer_, ompl_query, seed, iterations, stop_),
+          0,
+          {}};
     });
   };
   tbb::parallel_invoke(search_roadmap, sample);
   tbb::parallel_for(std::size_t{0}, drafts.size(), [&](std::size_t i) {
+    ThrowIfStopped(stop_);
     Finish(&drafts[i], DeriveSeed(options_.seed, first_stream + i));
   });
   return drafts;
@@ -262,7 +266,7 @@ std::optional<NoRouteDiagnosis> CandidateSearch::DiagnoseEnds() const {
 }
 
 NoRouteDiagnosis CandidateSearch::DiagnoseBetween() const {
-  const CellFlood from_start(layer_, request_.start, FloodDirection::kFrom);
+  const CellFlood from_start(layer_, request_.start, FloodDirection::kFrom, stop_);
   NoRouteDiagnosis diagnosis;
   if (from_start.Reaches(request_.goal)) {
     const std::vector<Eigen::Vector2d> way = from_start.WayTo(request_.goal);
@@ -271,7 +275,7 @@ NoRouteDiagnosis CandidateSearch::DiagnoseBetween() const {
         "ground connects start and goal, but no curve that the vehicle can steer was found on it";
     return diagnosis;
   }
-  const CellFlood to_goal(layer_, request_.goal, FloodDirection::kTo);
+  const CellFlood to_goal(layer_, request_.goal, FloodDirection::kTo, stop_);
   const bool start_enclosed = from_start.cell_count() < to_goal.cell_count();
   const CellFlood::Barrier barrier = start_enclosed ? from_start.BarrierTowards(request_.goal)
                                                     : to_goal.BarrierTowards(request_.start);

@@ -16,9 +16,10 @@ namespace dbd {
 class CandidateSearch {
  public:
   CandidateSearch(const VehicleModel& vehicle, const TrafficabilityLayer& layer,
-                  const PlanRequest& request, const PlanOptions& options);
+                  const PlanRequest& request, const PlanOptions& options, std::stop_token stop);
 
   /// Fills the pool with up to `options.sampling.candidates` routes. Returns why there is none.
+  /// Throws StopRequested soon after the stop was asked for.
   std::optional<NoRouteDiagnosis> Run(CandidatePool* pool, const ProgressCallback& progress);
 
  private:
@@ -47,6 +48,7 @@ class CandidateSearch {
   const TrafficabilityLayer& layer_;
   const PlanRequest& request_;
   const PlanOptions& options_;
+  std::stop_token stop_;
   double turning_radius_;
   RoadmapQuery query_;
   std::unique_ptr<Roadmap> roadmap_;

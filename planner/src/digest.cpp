@@ -48,6 +48,9 @@ std::uint64_t DigestOf(const Plan& plan) {
   for (const Candidate& candidate : plan.candidates) {
     hash.Add(candidate.origin);
     hash.Add(candidate.layer_cost);
+    for (const SpeedCap& cap : candidate.speed_caps) {
+      for (const double value : {cap.from, cap.to, cap.speed}) hash.Add(value);
+    }
     for (const Eigen::Vector2d& p : candidate.path.points()) hash.Add(p.x()), hash.Add(p.y());
   }
   for (const Rollout& rollout : plan.rollouts) AddRollout(rollout, hash);

@@ -13,6 +13,13 @@ namespace {
 // and machines' steering answers, and a fraction of what driver and judge would cost at every step.
 constexpr double kLookInterval = 0.02;
 
+std::vector<double> SpeedLimits(const Terrain& terrain, const VehicleModel& vehicle,
+                                const Path& path, const DriveOptions& options) {
+  std::vector<double> limits = GroundSpeedLimits(terrain, vehicle, path);
+  ApplySpeedCaps(options.speed_caps, limits);
+  return limits;
+}
+
 }  // namespace
 
 DriveSession::DriveSession(const Terrain& terrain, const VehicleModel& vehicle, const Path& path,
@@ -24,7 +31,7 @@ DriveSession::DriveSession(const Terrain& terrain, const VehicleModel& vehicle, 
       options_(options),
       driver_(vehicle, path,
               {.target_speed = options.target_speed,
-               .speed_limits = GroundSpeedLimits(terrain, vehicle, path)}),
+               .speed_limits = SpeedLimits(terrain, vehicle, path, options)}),
       ride_(control_step),
       judge_(vehicle, options.stop_at_violation),
       control_step_(control_step),

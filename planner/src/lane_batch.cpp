@@ -70,7 +70,7 @@ void LaneBatch::Serve(int lane, DriveQueue& queue) {
 void LaneBatch::Finish(Slot& slot, DriveQueue& queue) {
   queue.rollouts[slot.task] = slot.session->TakeRollout();
   slot.session.reset();
-  queue.on_done();
+  queue.on_done(queue.rollouts[slot.task]);
 }
 
 void LaneBatch::CancelAll(DriveQueue& queue) {
@@ -82,7 +82,7 @@ void LaneBatch::CancelAll(DriveQueue& queue) {
   while (const std::optional<std::size_t> task = queue.TakeNext()) {
     queue.rollouts[*task].outcome = Outcome::kCancelled;
     queue.rollouts[*task].reason = "cancelled";
-    queue.on_done();
+    queue.on_done(queue.rollouts[*task]);
   }
 }
 

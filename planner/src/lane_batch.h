@@ -25,8 +25,8 @@ struct DriveTask {
 /// Drives that several workers share: each takes the next one when a lane of its own is free.
 struct DriveQueue {
   const std::vector<DriveTask>& tasks;
-  std::vector<Rollout>& rollouts;  ///< slot i is task i
-  std::function<void()> on_done;   ///< may be called from any worker
+  std::vector<Rollout>& rollouts;               ///< slot i is task i
+  std::function<void(const Rollout&)> on_done;  ///< may be called from any worker
   std::stop_token stop;
   std::atomic<std::size_t> next = 0;
 

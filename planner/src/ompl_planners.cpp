@@ -85,7 +85,8 @@ const char* OmplPlannerName(OmplPlanner planner) {
 }
 
 std::vector<Pose2> SolveWithOmpl(OmplPlanner planner, const TrafficabilityLayer& layer,
-                                 const OmplQuery& query, std::uint64_t seed, int iterations) {
+                                 const OmplQuery& query, std::uint64_t seed, int iterations,
+                                 const std::stop_token& stop) {
   static const bool seeds_are_ours = OmplSeedsAreOurs();
   DBD_ASSERT(seeds_are_ours);
   const OmplSilence silence;
@@ -96,8 +97,11 @@ std::vector<Pose2> SolveWithOmpl(OmplPlanner planner, const TrafficabilityLayer&
   solver->setProblemDefinition(problem);
   solver->setup();
   int calls = 0;
-  const ob::PlannerTerminationCondition stop([&] { return ++calls > iterations; });
-  if (solver->solve(stop) != ob::PlannerStatus::EXACT_SOLUTION) return {};
+  const ob::PlannerTerminationCondition enough(
+      [&] { return ++calls > iterations || stop.stop_requested(); });
+  const ob::PlannerStatus status = solver->solve(enough);
+  ThrowIfStopped(stop);
+  if (status != ob::PlannerStatus::EXACT_SOLUTION) return {};
   // Not every planner of OMPL 1.5 respects that a Dubins curve has a direction.
   const std::vector<Pose2> waypoints = Waypoints(*problem);
   if (!AllGo(layer, DensePoses(waypoints, query.turning_radius))) return {};

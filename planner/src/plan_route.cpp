@@ -1,30 +1,47 @@
 #include <dbd/planner/batch_evaluation.h>
 #include <dbd/planner/candidate_sampler.h>
+#include <dbd/planner/lessons.h>
 #include <dbd/planner/plan_route.h>
 #include <dbd/planner/route_choice.h>
 #include <dbd/planner/scoring.h>
 #include <dbd/planner/trafficability.h>
 
+#include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <memory>
 
+#include "candidate_random.h"
+#include "candidate_variants.h"
+#include "deadline.h"
 #include "digest.h"
 
 namespace dbd {
 namespace {
 
-/// Seconds since the last call, under the name of the stage that they were spent in.
+using Clock = std::chrono::steady_clock;
+
+double SecondsSince(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// Seconds since the last call, added up under the name of the stage that they were spent in.
 class StageClock {
  public:
   explicit StageClock(Plan& plan) : plan_(plan), last_(Clock::now()) {}
 
   void Finish(const std::string& stage) {
-    const Clock::time_point now = Clock::now();
-    plan_.timing.emplace_back(stage, std::chrono::duration<double>(now - last_).count());
-    last_ = now;
+    const auto entry = std::find_if(plan_.timing.begin(), plan_.timing.end(),
+                                    [&](const auto& e) { return e.first == stage; });
+    if (entry != plan_.timing.end()) {
+      entry->second += SecondsSince(last_);
+    } else {
+      plan_.timing.emplace_back(stage, SecondsSince(last_));
+    }
+    last_ = Clock::now();
   }
 
  private:
-  using Clock = std::chrono::steady_clock;
   Plan& plan_;
   Clock::time_point last_;
 };
@@ -36,33 +53,157 @@ void AnswerWithDiagnosis(const Terrain& terrain, const NoRouteDiagnosis& diagnos
   plan.blocked_at = Eigen::Vector3d(x, y, terrain.Height(x, y));
 }
 
+/// How many candidates each part of a plan may drive.
+struct Budget {
+  explicit Budget(const PlanOptions& options) : all(options.sampling.candidates) {
+    const LearningOptions& learning = options.learning;
+    polish = static_cast<int>(learning.polish_share * all);
+    first = learning.rounds == 1 ? all - polish
+                                 : static_cast<int>(std::ceil(learning.first_share * all));
+    first = std::clamp(first, std::min(all, kFewestToLearnFrom), all);
+    polish = std::min(polish, all - first);
+    const int learning_rounds = std::max(1, learning.rounds - 1);
+    per_round = (all - first - polish + learning_rounds - 1) / learning_rounds;
+  }
+
+  static constexpr int kFewestToLearnFrom = 8;
+  int all;
+  int first = 0;
+  int per_round = 0;
+  int polish = 0;
+};
+
+constexpr int kPolishRounds = 2;
+constexpr double kStable = 0.005;  // a round that gains a smaller share than this gains nothing
+
+/// The stages of one request, each from the value of the one before, in rounds.
+class Planning {
+ public:
+  Planning(const Terrain& terrain, const VehicleModel& vehicle, const PlanRequest& request,
+           const PlanOptions& options, const ProgressCallback& progress, std::stop_token stop)
+      : terrain_(terrain),
+        vehicle_(vehicle),
+        request_(request),
+        options_(options),
+        progress_(progress),
+        stop_(std::move(stop)),
+        budget_(options) {}
+
+  /// Throws StopRequested soon after the stop was asked for; `plan` then holds what is done so far.
+  void Run(Plan& plan) {
+    StageClock clock(plan);
+    const TrafficabilityLayer layer(terrain_, vehicle_, options_.max_speed, {}, stop_);
+    clock.Finish("trafficability");
+    const std::optional<NoRouteDiagnosis> diagnosis =
+        SampleAndDrive("sample", layer, budget_.first, plan, clock);
+    if (plan.candidates.empty()) {
+      AnswerWithDiagnosis(terrain_, diagnosis.value_or(NoRouteDiagnosis{}), plan);
+      return;
+    }
+    LearnAndPolish(layer, plan, clock);
+    ChooseRoute(plan);
+    clock.Finish("choice");
+  }
+
+ private:
+  int Left(const Plan& plan) const {
+    return budget_.all - static_cast<int>(plan.candidates.size());
+  }
+
+  /// A seed of its own for each round.
+  std::uint64_t RoundSeed(const Plan& plan) const {
+    return plan.rounds.empty() ? options_.seed : DeriveSeed(options_.seed, plan.rounds.size());
+  }
+
+  void LearnAndPolish(const TrafficabilityLayer& layer, Plan& plan, StageClock& clock) {
+    const auto learned = [&] {
+      return layer.WithExtraCost(std::make_shared<const ExtraCost>(
+          LearnFromRollouts(layer, plan.rollouts, options_.scoring)));
+    };
+    for (int round = 1; round < options_.learning.rounds; ++round) {
+      const int count = std::min(budget_.per_round, Left(plan) - budget_.polish);
+      if (count <= 0) break;
+      const double best = plan.rounds.back().best_score;
+      SampleAndDrive("learn", learned(), count, plan, clock);
+      if (plan.rounds.back().best_score > (1 - kStable) * best) break;
+    }
+    for (int round = kPolishRounds; round > 0 && Left(plan) > 0; --round) {
+      const int count = (Left(plan) + round - 1) / round;
+      std::vector<Candidate> variants =
+          VaryBest(learned(), vehicle_, {plan.candidates, plan.rollouts, plan.scores}, count,
+                   RoundSeed(plan));
+      clock.Finish("candidates");
+      if (!variants.empty()) Drive("polish", std::move(variants), plan, clock);
+    }
+  }
+
+  std::optional<NoRouteDiagnosis> SampleAndDrive(const char* name, const TrafficabilityLayer& layer,
+                                                 int count, Plan& plan, StageClock& clock) {
+    PlanOptions options = options_;
+    options.sampling.candidates = count;
+    options.seed = RoundSeed(plan);
+    CandidateSet sampled = SampleCandidates(terrain_, vehicle_, layer, request_, options, progress_,
+                                            stop_, plan.candidates);
+    clock.Finish("candidates");
+    if (!sampled.candidates.empty()) Drive(name, std::move(sampled.candidates), plan, clock);
+    return sampled.diagnosis;
+  }
+
+  void Drive(const char* name, std::vector<Candidate> candidates, Plan& plan, StageClock& clock) {
+    const auto on_done = [&](const Rollout& rollout) {
+      if (rollout.outcome == Outcome::kReached && !plan.first_route_time) {
+        plan.first_route_time = SecondsSince(begin_);
+      }
+      if (progress_) progress_("drive", ++driven_, budget_.all);
+    };
+    const std::vector<Rollout> rollouts =
+        EvaluateRollouts(terrain_, vehicle_, candidates, options_, on_done, stop_);
+    Append(name, std::move(candidates), rollouts, plan);
+    clock.Finish("rollouts");
+    for (const Rollout& rollout : rollouts) {
+      if (rollout.outcome == Outcome::kCancelled) throw StopRequested();
+    }
+  }
+
+  void Append(const char* name, std::vector<Candidate> candidates,
+              const std::vector<Rollout>& rollouts, Plan& plan) const {
+    PlanRound round{name, static_cast<int>(candidates.size()), 0};
+    if (!plan.rounds.empty()) round.best_score = plan.rounds.back().best_score;
+    std::move(candidates.begin(), candidates.end(), std::back_inserter(plan.candidates));
+    for (const Rollout& rollout : rollouts) {
+      plan.rollouts.push_back(rollout);
+      plan.scores.push_back(ScoreRollout(rollout, options_.scoring));
+      plan.simulated_time += rollout.time;
+      round.reached += rollout.outcome == Outcome::kReached;
+      round.best_score = std::min(round.best_score, plan.scores.back().total);
+    }
+    plan.rounds.push_back(round);
+  }
+
+  const Terrain& terrain_;
+  const VehicleModel& vehicle_;
+  const PlanRequest& request_;
+  const PlanOptions& options_;
+  const ProgressCallback& progress_;
+  std::stop_token stop_;
+  Budget budget_;
+  int driven_ = 0;
+  Clock::time_point begin_ = Clock::now();
+};
+
 }  // namespace
 
 Plan PlanRoute(std::shared_ptr<const Terrain> terrain, std::shared_ptr<const VehicleModel> vehicle,
                const PlanRequest& request, const PlanOptions& options,
                const ProgressCallback& progress, std::stop_token stop) {
   options.Validate();
+  const Deadline deadline(options.deadline, stop);
   Plan plan;
-  StageClock clock(plan);
-  const TrafficabilityLayer layer(*terrain, *vehicle, options.max_speed);
-  clock.Finish("trafficability");
-
-  CandidateSet sampled = SampleCandidates(*terrain, *vehicle, layer, request, options, progress);
-  plan.candidates = std::move(sampled.candidates);
-  clock.Finish("candidates");
-  if (plan.candidates.empty()) {
-    AnswerWithDiagnosis(*terrain, sampled.diagnosis.value_or(NoRouteDiagnosis{}), plan);
-    plan.digest = DigestOf(plan);
-    return plan;
+  try {
+    Planning(*terrain, *vehicle, request, options, progress, deadline.token()).Run(plan);
+  } catch (const StopRequested&) {
+    ChooseRoute(plan, deadline.passed() ? PlanStatus::kDeadline : PlanStatus::kCancelled);
   }
-
-  plan.rollouts = EvaluateRollouts(*terrain, *vehicle, plan.candidates, options, progress, stop);
-  for (const Rollout& rollout : plan.rollouts) plan.simulated_time += rollout.time;
-  clock.Finish("rollouts");
-
-  plan.scores = ScoreRollouts(plan.rollouts, options.scoring);
-  ChooseRoute(plan);
-  clock.Finish("choice");
   plan.digest = DigestOf(plan);
   return plan;
 }

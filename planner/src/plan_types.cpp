@@ -27,6 +27,13 @@ void PlanOptions::Validate() const {
   Require(scoring.risk_weight >= 0, "risk_weight", scoring.risk_weight, "at least 0");
   Require(max_speed > 0.1 && max_speed < 100, "max_speed", max_speed, "between 0.1 and 100 m/s");
   Require(threads >= 0 && threads <= 1024, "threads", threads, "between 0 and 1024");
+  Require(learning.rounds >= 1 && learning.rounds <= 100, "rounds", learning.rounds,
+          "between 1 and 100");
+  Require(learning.first_share > 0 && learning.first_share <= 1, "first_share",
+          learning.first_share, "between 0 (exclusive) and 1");
+  Require(learning.polish_share >= 0 && learning.polish_share < 1, "polish_share",
+          learning.polish_share, "between 0 and 1 (exclusive)");
+  Require(deadline >= 0, "deadline", deadline, "at least 0");
   Require(goal_tolerance > 0, "goal_tolerance", goal_tolerance, "greater than 0");
 }
 

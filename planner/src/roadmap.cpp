@@ -47,8 +47,8 @@ double Fraction(double value) { return value - std::floor(value); }
 }  // namespace
 
 Roadmap::Roadmap(const TrafficabilityLayer& layer, double turning_radius, const RoadmapQuery& query,
-                 const RoadmapOptions& options)
-    : layer_(&layer), turning_radius_(turning_radius) {
+                 const RoadmapOptions& options, std::stop_token stop)
+    : layer_(&layer), turning_radius_(turning_radius), stop_(std::move(stop)) {
   SampleNodes(query, options);
   BuildEdges(options, (query.max_corner - query.min_corner).prod());
   penalties_.assign(nodes_.size(), 1.0);
@@ -71,6 +71,7 @@ void Roadmap::SampleNodes(const RoadmapQuery& query, const RoadmapOptions& optio
   constexpr int kTriesPerNode = 8;
   int found = 0;
   for (int i = 1; found < options.nodes && i < kTriesPerNode * options.nodes; ++i) {
+    ThrowIfStopped(stop_);
     const double u = 2.0 * Fraction(RadicalInverse(i, 5) + shift[2]) - 1.0;
     const double turned = std::copysign(std::pow(std::abs(u), 1.5), u) * std::numbers::pi;
     const Pose2 pose{query.min_corner.x() + extent.x() * Fraction(RadicalInverse(i, 2) + shift[0]),
@@ -91,6 +92,7 @@ void Roadmap::BuildEdges(const RoadmapOptions& options, double area) {
   places_ = std::make_unique<NeighbourGrid>(nodes_, radius);
   tbb::parallel_for(0, count, [&](int node) {
     if (IsGoal(node)) return;
+    ThrowIfStopped(stop_);
     std::vector<int> nearby = places_->Within(nodes_[node].position(), radius);
     if (IsStart(node)) {
       for (int goal = starts_; goal < starts_ + goals_; ++goal) nearby.push_back(goal);
@@ -164,6 +166,7 @@ std::vector<Pose2> Roadmap::FindRoute() const {
     open.push({CostToGo(start), start});
   }
   while (!open.empty()) {
+    ThrowIfStopped(stop_);
     const int node = open.top().second;
     open.pop();
     if (closed[node]) continue;

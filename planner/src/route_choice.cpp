@@ -67,21 +67,21 @@ void ExplainNoGo(Plan& plan) {
                 rollout.reason;
 }
 
-bool AnyCancelled(const std::vector<Rollout>& rollouts) {
-  return std::any_of(rollouts.begin(), rollouts.end(),
-                     [](const Rollout& rollout) { return rollout.outcome == Outcome::kCancelled; });
+std::string ExplainStop(PlanStatus stopped) {
+  return stopped == PlanStatus::kDeadline ? "the deadline passed" : "cancelled";
 }
 
 }  // namespace
 
-void ChooseRoute(Plan& plan) {
+void ChooseRoute(Plan& plan, std::optional<PlanStatus> stopped) {
   plan.chosen = BestFeasible(plan.scores, std::nullopt);
   if (plan.chosen) {
-    plan.status = PlanStatus::kRoute;
-    plan.reason = ExplainChoice(plan, *plan.chosen);
-  } else if (AnyCancelled(plan.rollouts)) {
-    plan.status = PlanStatus::kCancelled;
-    plan.reason = "cancelled before a candidate reached the goal";
+    plan.status = stopped.value_or(PlanStatus::kRoute);
+    plan.reason = (stopped ? ExplainStop(*stopped) + ": best so far, " : "") +
+                  ExplainChoice(plan, *plan.chosen);
+  } else if (stopped) {
+    plan.status = *stopped;
+    plan.reason = ExplainStop(*stopped) + " before a candidate reached the goal";
   } else {
     plan.status = PlanStatus::kNoGo;
     ExplainNoGo(plan);

@@ -49,6 +49,15 @@ std::vector<double> SpreadOverVehicle(const std::vector<double>& limits, double 
 
 }  // namespace
 
+void ApplySpeedCaps(const std::vector<SpeedCap>& caps, std::vector<double>& limits) {
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const double s = static_cast<double>(i) * kSpeedLimitSpacing;
+    for (const SpeedCap& cap : caps) {
+      if (s >= cap.from && s <= cap.to) limits[i] = std::min(limits[i], cap.speed);
+    }
+  }
+}
+
 std::vector<double> GroundSpeedLimits(const Terrain& terrain, const VehicleModel& vehicle,
                                       const Path& path) {
   if (path.empty()) return {};

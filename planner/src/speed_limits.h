@@ -2,6 +2,7 @@
 
 #include <dbd/core/path.h>
 #include <dbd/core/vehicle_model.h>
+#include <dbd/planner/plan_types.h>
 #include <dbd/terrain/terrain.h>
 
 #include <vector>
@@ -15,5 +16,8 @@ namespace dbd {
 /// of the vehicle around each place.
 std::vector<double> GroundSpeedLimits(const Terrain& terrain, const VehicleModel& vehicle,
                                       const Path& path);
+
+/// Lowers limits every `kSpeedLimitSpacing` along a path to those of the caps.
+void ApplySpeedCaps(const std::vector<SpeedCap>& caps, std::vector<double>& limits);
 
 }  // namespace dbd

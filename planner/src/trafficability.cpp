@@ -28,7 +28,8 @@ int HalfWindow(double half_footprint, double resolution) {
 }  // namespace
 
 TrafficabilityLayer::TrafficabilityLayer(const Terrain& terrain, const VehicleModel& vehicle,
-                                         double max_speed, const TrafficabilityOptions& options)
+                                         double max_speed, const TrafficabilityOptions& options,
+                                         const std::stop_token& stop)
     : terrain_(&terrain),
       options_(options),
       max_speed_(std::min(max_speed, vehicle.limits.max_speed)),
@@ -57,9 +58,9 @@ TrafficabilityLayer::TrafficabilityLayer(const Terrain& terrain, const VehicleMo
   // Between two cells a face is a ramp one cell long: a wheel climbs about its radius, and the
   // ramp may add half of the largest slope.
   const double ramp = 0.5 * limits_.slope * resolution_;
-  FillCells(half_footprint, (SmallestWheelRadius(vehicle) + ramp) * widened);
-  MarkNearObstacles();
-  MarkNearImpassable();
+  FillCells(half_footprint, (SmallestWheelRadius(vehicle) + ramp) * widened, stop);
+  MarkNearObstacles(stop);
+  MarkNearImpassable(stop);
 }
 
 void TrafficabilityLayer::LayOutGrid(const HeightMap& heights, double half_footprint) {
@@ -75,23 +76,25 @@ void TrafficabilityLayer::LayOutGrid(const HeightMap& heights, double half_footp
   rows_ = static_cast<int>(extent.y() / resolution_ + 1e-6) + 1;
 }
 
-void TrafficabilityLayer::FillCells(double half_footprint, double step_limit) {
-  const HeightGrid grid = SampleHeights(*terrain_, min_corner_, columns_, rows_, resolution_);
+void TrafficabilityLayer::FillCells(double half_footprint, double step_limit,
+                                    const std::stop_token& stop) {
+  const HeightGrid grid = SampleHeights(*terrain_, min_corner_, columns_, rows_, resolution_, stop);
   const int k = HalfWindow(half_footprint, resolution_);
-  const std::vector<PlaneFit> fits = FitPlanes(grid, k);
+  const std::vector<PlaneFit> fits = FitPlanes(grid, k, stop);
   const std::vector<std::uint8_t> steps = FindSteps(grid, step_limit);
   std::vector<std::uint8_t> unknown(grid.known.size());
   std::transform(grid.known.begin(), grid.known.end(), unknown.begin(),
                  [](std::uint8_t known) { return known ? std::uint8_t{0} : std::uint8_t{1}; });
   // A cell more than the footprint: tires stand out of it, and no driver keeps a path exactly.
-  unknown = Dilate(unknown, columns_, rows_, k + 1);
+  unknown = Dilate(unknown, columns_, rows_, k + 1, stop);
   // A crest of height c needs residuals whose squares add up to at least c^2 / 2.
   const double rugged = crest_limit_ / (std::sqrt(2.0) * (2 * k + 1));
-  cells_.resize(fits.size());
+  cells_ = std::make_shared<std::vector<Cell>>(fits.size());
   for (int row = 0; row < rows_; ++row) {
+    ThrowIfStopped(stop);
     for (int column = 0; column < columns_; ++column) {
       const std::size_t i = grid.Index(column, row);
-      Cell& cell = cells_[i];
+      Cell& cell = (*cells_)[i];
       cell.grade_x = fits[i].grade_x;
       cell.grade_y = fits[i].grade_y;
       cell.roughness = fits[i].roughness;
@@ -132,16 +135,19 @@ std::uint8_t TrafficabilityLayer::MaterialIndexAt(double x, double y) const {
   return static_cast<std::uint8_t>(material - terrain_->materials().table().materials().data());
 }
 
-void TrafficabilityLayer::MarkNearObstacles() {
-  const ObstacleMap& obstacles = terrain_->obstacles();
-  if (obstacles.empty()) return;
+void TrafficabilityLayer::MarkNearObstacles(const std::stop_token& stop) {
+  for (const ObstacleLayer& layer : terrain_->obstacles().layers()) MarkNear(layer, stop);
+}
+
+void TrafficabilityLayer::MarkNear(const ObstacleLayer& obstacles, const std::stop_token& stop) {
   const HeightMap::Grid& grid = obstacles.grid();
-  std::vector<std::uint8_t> marks(cells_.size(), 0);
+  std::vector<std::uint8_t> marks(cells_->size(), 0);
   for (int row = 0; row < grid.rows; ++row) {
+    ThrowIfStopped(stop);
     for (int column = 0; column < grid.columns; ++column) {
       const double x = grid.first_center.x() + column * grid.cell_size.x();
       const double y = grid.first_center.y() + row * grid.cell_size.y();
-      if (!obstacles.Blocks(x, y, outline_.height)) continue;
+      if (!obstacles.BlocksBox({x, y}, 0, {0, 0}, outline_.height)) continue;
       const auto c = std::lround((x - min_corner_.x()) / resolution_);
       const auto r = std::lround((y - min_corner_.y()) / resolution_);
       if (c >= 0 && r >= 0 && c < columns_ && r < rows_) marks[r * columns_ + c] = 1;
@@ -152,23 +158,23 @@ void TrafficabilityLayer::MarkNearObstacles() {
   const double reach =
       std::hypot(std::abs(box_center_ahead_) + half_length + margin, outline_.half_width + margin) +
       0.5 * grid.cell_size.norm() + resolution_;
-  FlagAround(std::move(marks), reach, kNearObstacle);
+  FlagAround(std::move(marks), reach, kNearObstacle, stop);
 }
 
-void TrafficabilityLayer::MarkNearImpassable() {
-  std::vector<std::uint8_t> marks(cells_.size());
-  std::transform(cells_.begin(), cells_.end(), marks.begin(), [](const Cell& cell) {
+void TrafficabilityLayer::MarkNearImpassable(const std::stop_token& stop) {
+  std::vector<std::uint8_t> marks(cells_->size());
+  std::transform(cells_->begin(), cells_->end(), marks.begin(), [](const Cell& cell) {
     return cell.reason == NoGoReason::kImpassableMaterial ? std::uint8_t{1} : std::uint8_t{0};
   });
   FlagAround(std::move(marks), std::hypot(half_wheelbase_, half_track_) + 2 * resolution_,
-             kNearImpassable);
+             kNearImpassable, stop);
 }
 
 void TrafficabilityLayer::FlagAround(std::vector<std::uint8_t> marks, double reach,
-                                     std::uint8_t flag) {
-  marks = Dilate(marks, columns_, rows_, static_cast<int>(std::ceil(reach / resolution_)));
-  for (std::size_t i = 0; i < cells_.size(); ++i) {
-    if (marks[i]) cells_[i].flags |= flag;
+                                     std::uint8_t flag, const std::stop_token& stop) {
+  marks = Dilate(marks, columns_, rows_, static_cast<int>(std::ceil(reach / resolution_)), stop);
+  for (std::size_t i = 0; i < cells_->size(); ++i) {
+    if (marks[i]) (*cells_)[i].flags |= flag;
   }
 }
 

@@ -66,7 +66,7 @@ class RowWindow {
 }  // namespace
 
 HeightGrid SampleHeights(const Terrain& terrain, const Eigen::Vector2d& min_corner, int columns,
-                         int rows, double resolution) {
+                         int rows, double resolution, const std::stop_token& stop) {
   HeightGrid grid{columns, rows, resolution, {}, {}};
   const std::size_t cells = static_cast<std::size_t>(columns) * rows;
   grid.heights.resize(cells);
@@ -74,6 +74,7 @@ HeightGrid SampleHeights(const Terrain& terrain, const Eigen::Vector2d& min_corn
   std::vector<double> x(columns), y(columns), z(columns);
   for (int i = 0; i < columns; ++i) x[i] = min_corner.x() + i * resolution;
   for (int row = 0; row < rows; ++row) {
+    ThrowIfStopped(stop);
     std::fill(y.begin(), y.end(), min_corner.y() + row * resolution);
     terrain.Heights(columns, x.data(), y.data(), z.data());
     for (int i = 0; i < columns; ++i) {
@@ -84,12 +85,14 @@ HeightGrid SampleHeights(const Terrain& terrain, const Eigen::Vector2d& min_corn
   return grid;
 }
 
-std::vector<PlaneFit> FitPlanes(const HeightGrid& grid, int half_window) {
+std::vector<PlaneFit> FitPlanes(const HeightGrid& grid, int half_window,
+                                const std::stop_token& stop) {
   const int k = half_window;
   std::vector<PlaneFit> fits(grid.heights.size());
   if (grid.columns <= 2 * k || grid.rows <= 2 * k) return fits;
   RowWindow window(grid, k);
   for (int row = k; row + k < grid.rows; ++row) {
+    ThrowIfStopped(stop);
     window.MoveTo(row);
     for (int column = k; column + k < grid.columns; ++column) {
       fits[grid.Index(column, row)] = window.Fit(column, row);
@@ -135,9 +138,10 @@ std::vector<std::uint8_t> FindSteps(const HeightGrid& grid, double limit) {
 }
 
 std::vector<std::uint8_t> Dilate(const std::vector<std::uint8_t>& marks, int columns, int rows,
-                                 int half_window) {
+                                 int half_window, const std::stop_token& stop) {
   std::vector<std::uint8_t> grown(marks.size(), 0);
   for (int row = 0; row < rows; ++row) {
+    ThrowIfStopped(stop);
     for (int column = 0; column < columns; ++column) {
       if (!marks[static_cast<std::size_t>(row) * columns + column]) continue;
       const int first = std::max(0, column - half_window);

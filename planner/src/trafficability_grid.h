@@ -1,5 +1,6 @@
 #pragma once
 
+#include <dbd/planner/stop.h>
 #include <dbd/terrain/terrain.h>
 
 #include <Eigen/Core>
@@ -7,6 +8,8 @@
 #include <vector>
 
 namespace dbd {
+
+// What takes long throws StopRequested soon after `stop` was asked to.
 
 /// Heights sampled on a square grid over W; row 0 is the south edge.
 struct HeightGrid {
@@ -23,7 +26,7 @@ struct HeightGrid {
 
 /// Of the surface that the wheels touch: a TIN's triangles, not its raster.
 HeightGrid SampleHeights(const Terrain& terrain, const Eigen::Vector2d& min_corner, int columns,
-                         int rows, double resolution);
+                         int rows, double resolution, const std::stop_token& stop = {});
 
 /// Least-squares plane about one cell.
 struct PlaneFit {
@@ -35,7 +38,8 @@ struct PlaneFit {
 /// Planes fitted to the (2 k + 1)^2 heights about each cell, k = `half_window` >= 1. Cells whose
 /// square leaves the grid get the plane of the nearest cell whose square does not, or a level one
 /// when there is none. Cost per cell grows with k, not with its square.
-std::vector<PlaneFit> FitPlanes(const HeightGrid& grid, int half_window);
+std::vector<PlaneFit> FitPlanes(const HeightGrid& grid, int half_window,
+                                const std::stop_token& stop = {});
 
 /// Cells on either side of a step: a difference between neighbours, less the mean of the
 /// differences before and after it, above `limit` [m].
@@ -43,6 +47,6 @@ std::vector<std::uint8_t> FindSteps(const HeightGrid& grid, double limit);
 
 /// Cells with anything marked within `half_window` cells in x and y.
 std::vector<std::uint8_t> Dilate(const std::vector<std::uint8_t>& marks, int columns, int rows,
-                                 int half_window);
+                                 int half_window, const std::stop_token& stop = {});
 
 }  // namespace dbd

@@ -64,12 +64,20 @@ Eigen::Vector2d TrafficabilityLayer::max_corner() const {
   return min_corner_ + resolution_ * Eigen::Vector2d(columns_ - 1, rows_ - 1);
 }
 
+TrafficabilityLayer TrafficabilityLayer::WithExtraCost(
+    std::shared_ptr<const ExtraCost> extra) const {
+  TrafficabilityLayer layer = *this;
+  layer.extra_ = std::move(extra);
+  return layer;
+}
+
 const TrafficabilityLayer::Cell* TrafficabilityLayer::CellAt(double x, double y) const {
   // Written so that coordinates that are not numbers fail.
   const double column = (x - min_corner_.x()) / resolution_ + 0.5;
   const double row = (y - min_corner_.y()) / resolution_ + 0.5;
   if (!(column >= 0 && row >= 0 && column < columns_ && row < rows_)) return nullptr;
-  return &cells_[static_cast<std::size_t>(row) * columns_ + static_cast<std::size_t>(column)];
+  return cells_->data() + static_cast<std::size_t>(row) * columns_ +
+         static_cast<std::size_t>(column);
 }
 
 CellVerdict TrafficabilityLayer::EvaluateAnyHeading(double x, double y) const {
@@ -162,7 +170,9 @@ double TrafficabilityLayer::SecondsPerMetre(double x, double y, double heading) 
   const double speed = max_speed_ * open / (1.0 + cell->roughness / options_.roughness_scale);
   const double margin_left = std::max(1e-3, kRiskPole - used);
   const double risk = std::min(kLargestRisk, std::pow(used / margin_left, 2));
-  return 1.0 / speed + options_.climb_cost * std::max(0.0, grade) + options_.risk_cost * risk;
+  const double extra = extra_ ? extra_->SecondsPerMetre(x, y) : 0.0;
+  return 1.0 / speed + options_.climb_cost * std::max(0.0, grade) + options_.risk_cost * risk +
+         extra;
 }
 
 }  // namespace dbd

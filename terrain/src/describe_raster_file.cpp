@@ -124,6 +124,34 @@ void DescribeGrid(GDALDataset* dataset, RasterFileInfo* info) {
   info->unit = UnitName(*crs);
 }
 
+// Pages of a TIFF and the like.
+int ImageCount(GDALDataset* dataset) {
+  char** names_and_descriptions = dataset->GetMetadata("SUBDATASETS");
+  return CSLCount(names_and_descriptions) / 2;
+}
+
+bool IsColour(GDALColorInterp interpretation) {
+  return interpretation >= GCI_RedBand && interpretation <= GCI_YCbCr_CrBand;
+}
+
+std::vector<std::string> WarningsOf(const RasterFileInfo& raster, GDALDataset* dataset,
+                                    GDALRasterBand* band) {
+  std::vector<std::string> warnings;
+  if (!raster.lowest) warnings.emplace_back("every cell is nodata");
+  if (!raster.has_georeference) warnings.emplace_back("has no georeference");
+  if (raster.crs_name.empty()) warnings.emplace_back("has no coordinate system");
+  const GDALColorInterp interpretation = band->GetColorInterpretation();
+  if (IsColour(interpretation)) {
+    warnings.push_back("its band " + std::to_string(band->GetBand()) + " holds a colour (" +
+                       GDALGetColorInterpretationName(interpretation) + "), not heights");
+  }
+  const int images = ImageCount(dataset);
+  if (images > 1) {
+    warnings.push_back("holds " + std::to_string(images) + " images, of which the first is read");
+  }
+  return warnings;
+}
+
 }  // namespace
 
 FileInfo DescribeRasterFile(const std::string& file, int band_number) {
@@ -143,9 +171,7 @@ FileInfo DescribeRasterFile(const std::string& file, int band_number) {
   if (!CellScan(band, &raster).Run() || !gdal.error().empty()) {
     Fail(file, "is corrupt: " + gdal.Reason("read error"));
   }
-  if (!raster.lowest) info.warnings.emplace_back("every cell is nodata");
-  if (!raster.has_georeference) info.warnings.emplace_back("has no georeference");
-  if (raster.crs_name.empty()) info.warnings.emplace_back("has no coordinate system");
+  info.warnings = WarningsOf(raster, dataset.get(), band);
   info.warnings.insert(info.warnings.end(), gdal.warnings().begin(), gdal.warnings().end());
   info.content = std::move(raster);
   return info;

@@ -7,6 +7,7 @@
 #include "gdal_session.h"
 #include "raster_file.h"
 #include "vector_file.h"
+#include "xml_oddities.h"
 
 namespace dbd {
 namespace {
@@ -44,8 +45,12 @@ FileInfo DescribeVectorFile(const std::string& file) {
     has_places = has_places || !described.extent.empty();
     if (described.features > 0) content.layers.push_back(std::move(described));
   }
-  if (!has_places) throw InputError(file + ": holds no point, line or area");
-  info.warnings = gdal.warnings();
+  info.warnings = XmlOddities(file, info.format);
+  if (!has_places) {
+    const std::string reason = info.warnings.empty() ? "" : ": " + info.warnings.front();
+    throw InputError(file + ": holds no point, line or area" + reason);
+  }
+  info.warnings.insert(info.warnings.end(), gdal.warnings().begin(), gdal.warnings().end());
   info.content = std::move(content);
   return info;
 }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "continue_heights.h"
+#include "huge_pages.h"
 
 namespace dbd {
 namespace {
@@ -185,7 +186,10 @@ void HeightMap::ContinueHeightsIntoUnknown(std::vector<float>* heights) const {
 
 void HeightMap::StoreRowPairs(const std::vector<float>& heights) {
   const auto columns = static_cast<std::size_t>(grid_.columns);
-  row_pairs_.resize(columns * static_cast<std::size_t>(grid_.rows - 1));
+  const std::size_t pairs = columns * static_cast<std::size_t>(grid_.rows - 1);
+  row_pairs_.reserve(pairs);
+  AdviseHugePages(row_pairs_.data(), pairs * sizeof(RowPair));
+  row_pairs_.resize(pairs);
   for (std::size_t i = 0; i < row_pairs_.size(); ++i) {
     row_pairs_[i] = {heights[i], heights[i + columns]};
   }
@@ -196,27 +200,24 @@ void HeightMap::BuildHighestTiles(const std::vector<float>& heights) {
   tile_width_ = tile_cells_ * grid_.cell_size.minCoeff();
   tile_columns_ = TileCount(grid_.columns, tile_cells_);
   tile_rows_ = TileCount(grid_.rows, tile_cells_);
-  // Separable: first along each row of the grid, then across rows. A tile t and its neighbours
-  // span the cells (t - 1) n ... (t + 2) n.
+  // Separable: along each row of the grid, then into all tiles that it counts for. A tile t and its
+  // neighbours span the cells (t - 1) n ... (t + 2) n.
   const auto tiles = static_cast<std::size_t>(tile_columns_);
-  std::vector<float> along_rows(tiles * static_cast<std::size_t>(grid_.rows));
+  highest_nearby_.assign(tiles * static_cast<std::size_t>(tile_rows_),
+                         -std::numeric_limits<float>::infinity());
+  std::vector<float> along_row(tiles);
   for (int row = 0; row < grid_.rows; ++row) {
     const float* line = heights.data() + static_cast<std::size_t>(row) * grid_.columns;
     for (int t = 0; t < tile_columns_; ++t) {
       const int first = std::max(0, (t - 1) * tile_cells_);
       const int last = std::min(grid_.columns - 1, (t + 2) * tile_cells_);
-      along_rows[row * tiles + t] = *std::max_element(line + first, line + last + 1);
+      along_row[static_cast<std::size_t>(t)] = *std::max_element(line + first, line + last + 1);
     }
-  }
-  highest_nearby_.assign(tiles * static_cast<std::size_t>(tile_rows_),
-                         -std::numeric_limits<float>::infinity());
-  for (int t = 0; t < tile_rows_; ++t) {
-    const int last = std::min(grid_.rows - 1, (t + 2) * tile_cells_);
-    for (int row = std::max(0, (t - 1) * tile_cells_); row <= last; ++row) {
-      for (std::size_t c = 0; c < tiles; ++c) {
-        float& highest = highest_nearby_[t * tiles + c];
-        highest = std::max(highest, along_rows[row * tiles + c]);
-      }
+    const int first_tile = std::max(0, (row + tile_cells_ - 1) / tile_cells_ - 2);
+    const int last_tile = std::min(tile_rows_ - 1, row / tile_cells_ + 1);
+    for (int t = first_tile; t <= last_tile; ++t) {
+      float* highest = highest_nearby_.data() + t * tiles;
+      for (std::size_t c = 0; c < tiles; ++c) highest[c] = std::max(highest[c], along_row[c]);
     }
   }
 }

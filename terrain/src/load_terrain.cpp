@@ -78,35 +78,64 @@ TinGround LoadGround(const TerrainFiles& files, const LoadProgress& progress,
   return ground;
 }
 
-// Without a file of its own, an OctoMap that the ground comes from holds the obstacles too.
-ObstacleMap LoadObstacleLayer(const TerrainFiles& files, const ElevationRaster& elevation,
-                              const HeightMap& heights, const LocalFrame& frame) {
-  if (!files.surface_model.empty()) {
-    if (!files.obstacles.empty()) {
-      throw InputError(files.surface_model + ": a surface model and an OctoMap of obstacles " +
-                       "cannot both be given");
-    }
-    return LoadSurfaceModel(files.surface_model, files.surface_threshold, elevation, frame);
-  }
-  const bool is_own = files.obstacles.empty() && IsOctreeExtension(LowerExtension(files.elevation));
-  const std::string& file = is_own ? files.elevation : files.obstacles;
-  if (file.empty()) return {};
-  MapPlacement placement = is_own ? files.elevation_placement : files.obstacles_placement;
-  placement.origin = frame.ToLocal(placement.origin);
+ObstacleMap ObstaclesOf(const std::string& octomap, MapPlacement placement,
+                        const TerrainFiles& files, const HeightMap& heights,
+                        const LocalFrame& frame) {
   constexpr double kFloor = 0.3;
-  return LoadObstacles(file, heights, placement, kFloor, files.unknown_space);
+  placement.origin = frame.ToLocal(placement.origin);
+  return LoadObstacles(octomap, heights, placement, kFloor, files.unknown_space);
+}
+
+// Of every source. An OctoMap that the ground comes from holds obstacles too.
+ObstacleMap LoadAllObstacles(const TerrainFiles& files, const ElevationRaster& elevation,
+                             const HeightMap& heights, const LocalFrame& frame,
+                             std::vector<std::string>* notes) {
+  const bool is_ground = IsOctreeExtension(LowerExtension(files.elevation));
+  ObstacleMap obstacles;
+  if (is_ground) {
+    obstacles.Add(ObstaclesOf(files.elevation, files.elevation_placement, files, heights, frame));
+  }
+  if (!files.obstacles.empty()) {
+    obstacles.Add(ObstaclesOf(files.obstacles, files.obstacles_placement, files, heights, frame));
+  }
+  if (!files.surface_model.empty()) {
+    obstacles.Add(LoadSurfaceModel(files.surface_model, files.surface_threshold, elevation, frame));
+  }
+  if (is_ground || !files.obstacles.empty()) {
+    notes->emplace_back(files.unknown_space == UnknownSpace::kFree
+                            ? "space that the OctoMap has not seen counts as free"
+                            : "space that the OctoMap has not seen counts as an obstacle");
+  }
+  return obstacles;
+}
+
+// Of point clouds only headers are read, see DescribeFile.
+void RefusePointCloud(const std::string& file, const char* instead) {
+  const std::string extension = LowerExtension(file);
+  if (extension != ".las" && extension != ".laz" && extension != ".pcd") return;
+  throw InputError(file + ": is a point cloud, which is not driven on; convert " + instead);
+}
+
+void CheckFormats(const TerrainFiles& files) {
+  constexpr char kGround[] =
+      "its ground points to XYZ text, or to a GeoTIFF of heights (PDAL and LAStools do both)";
+  RefusePointCloud(files.elevation, kGround);
+  for (const std::string& file : files.more_elevation) RefusePointCloud(file, kGround);
+  RefusePointCloud(files.obstacles, "it to an OctoMap (.bt)");
+  RefusePointCloud(files.surface_model, "its highest points to a GeoTIFF of heights");
 }
 
 }  // namespace
 
 std::shared_ptr<const Terrain> LoadTerrain(const TerrainFiles& files,
                                            const LoadProgress& progress) {
+  CheckFormats(files);
   std::vector<std::string> notes;
   TinGround ground = LoadGround(files, progress, &notes);
   LocalFrame frame = MakeFrame(ground.raster);
   HeightMap heights = MakeHeights(files, frame, &ground.raster);
   MaterialMap materials = LoadMaterials(files, ground.raster, frame, &notes);
-  ObstacleMap obstacles = LoadObstacleLayer(files, ground.raster, heights, frame);
+  ObstacleMap obstacles = LoadAllObstacles(files, ground.raster, heights, frame, &notes);
   auto terrain = std::make_shared<Terrain>(std::move(frame), std::move(heights),
                                            std::move(materials), std::move(obstacles));
   terrain->set_tin(ground.tin);

@@ -83,6 +83,51 @@ void AddNotes(const TinSurface::Report& report, std::vector<std::string>* notes)
   }
 }
 
+// Bilinear, at a place in cells; not a number next to unknown cells.
+double RasterHeight(const ElevationRaster& raster, const Eigen::Vector2d& place) {
+  const Eigen::Array2d cell = place.array().floor();
+  const Eigen::Array2d part = place.array() - cell;
+  const auto columns = static_cast<std::size_t>(raster.grid.columns);
+  const float* south = raster.heights.data() + static_cast<std::size_t>(cell.y()) * columns +
+                       static_cast<std::size_t>(cell.x());
+  const float* north = south + columns;
+  const double south_z = (1 - part.x()) * south[0] + part.x() * south[1];
+  const double north_z = (1 - part.x()) * north[0] + part.x() * north[1];
+  return raster.base_height + (1 - part.y()) * south_z + part.y() * north_z;
+}
+
+// Root mean square of how far the raster lies off its triangles [m], over places that an additive
+// recurrence spreads evenly.
+double RasterError(const TinSurface& tin, const ElevationRaster& raster) {
+  constexpr int kPlaces = 20000;
+  const HeightMap::Grid& grid = raster.grid;
+  const Eigen::Vector2d squares(grid.columns - 1, grid.rows - 1);
+  double sum = 0;
+  int count = 0;
+  for (int i = 1; i <= kPlaces; ++i) {
+    const Eigen::Vector2d share(std::fmod(0.7548776662466927 * i, 1.0),
+                                std::fmod(0.5698402909980532 * i, 1.0));
+    const Eigen::Vector2d in_cells = squares.cwiseProduct(share);
+    const Eigen::Vector2d place = grid.first_center + grid.cell_size.cwiseProduct(in_cells);
+    const double of_raster = RasterHeight(raster, in_cells);
+    double of_tin = 0;
+    if (std::isnan(of_raster) || !tin.FindHeight(place.x(), place.y(), &of_tin)) continue;
+    sum += (of_raster - of_tin) * (of_raster - of_tin);
+    ++count;
+  }
+  return count == 0 ? 0 : std::sqrt(sum / count);
+}
+
+std::string RasterNote(const TinSurface& tin, const ElevationRaster& raster) {
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      "a raster of it on cells of %.3g m lacks its creases (%.2g m rms): drives on that are "
+      "smoother and faster than on the triangles",
+      raster.grid.cell_size.x(), RasterError(tin, raster));
+  return text;
+}
+
 }  // namespace
 
 Eigen::Vector2d OriginOf(const HeightMap::Grid& map_grid) {
@@ -116,11 +161,13 @@ TinGround LoadTin(const TerrainFiles& files, std::vector<std::string>* notes) {
   const TinSurface in_map(mesh.vertices, mesh.triangles);
   ground.raster.grid = GridOver(file, in_map, files.surface_cell_size);
   SampleHeights(in_map, &ground.raster);
+  const std::string raster_note = RasterNote(in_map, ground.raster);
   const Eigen::Vector2d origin = OriginOf(ground.raster.grid);
   for (Eigen::Vector3d& vertex : mesh.vertices) vertex.head<2>() -= origin;
   auto tin =
       std::make_shared<const TinSurface>(std::move(mesh.vertices), std::move(mesh.triangles));
   AddNotes(tin->report(), notes);
+  notes->push_back(raster_note);
   if (!files.rasterise_tin) ground.tin = std::move(tin);
   return ground;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace dbd {
@@ -24,18 +25,13 @@ CellRange CellsBetween(double low, double high, double first_center, double cell
 
 }  // namespace
 
-ObstacleMap::ObstacleMap(const HeightMap::Grid& grid, std::vector<float> lowest)
+ObstacleLayer::ObstacleLayer(const HeightMap::Grid& grid, std::vector<float> lowest)
     : grid_(grid), lowest_(std::move(lowest)) {
   DBD_ASSERT(lowest_.size() == grid_.CellCount());
 }
 
-bool ObstacleMap::Blocks(double x, double y, double height) const {
-  return BlocksBox({x, y}, 0.0, Eigen::Vector2d::Zero(), height);
-}
-
-bool ObstacleMap::BlocksBox(const Eigen::Vector2d& center, double heading,
-                            const Eigen::Vector2d& half_extents, double height) const {
-  if (empty()) return false;
+bool ObstacleLayer::BlocksBox(const Eigen::Vector2d& center, double heading,
+                              const Eigen::Vector2d& half_extents, double height) const {
   const double c = std::cos(heading);
   const double s = std::sin(heading);
   const Eigen::Vector2d reach(std::abs(c) * half_extents.x() + std::abs(s) * half_extents.y(),
@@ -66,11 +62,44 @@ bool ObstacleMap::BlocksBox(const Eigen::Vector2d& center, double heading,
   return false;
 }
 
+std::size_t ObstacleLayer::BlockedCells(double height) const {
+  return static_cast<std::size_t>(std::count_if(
+      lowest_.begin(), lowest_.end(), [height](float lowest) { return lowest < height; }));
+}
+
+ObstacleMap::ObstacleMap(const HeightMap::Grid& grid, std::vector<float> lowest) {
+  layers_.emplace_back(grid, std::move(lowest));
+}
+
+void ObstacleMap::Add(ObstacleMap other) {
+  std::move(other.layers_.begin(), other.layers_.end(), std::back_inserter(layers_));
+}
+
+bool ObstacleMap::Blocks(double x, double y, double height) const {
+  return BlocksBox({x, y}, 0.0, Eigen::Vector2d::Zero(), height);
+}
+
+bool ObstacleMap::BlocksBox(const Eigen::Vector2d& center, double heading,
+                            const Eigen::Vector2d& half_extents, double height) const {
+  return std::any_of(layers_.begin(), layers_.end(), [&](const ObstacleLayer& layer) {
+    return layer.BlocksBox(center, heading, half_extents, height);
+  });
+}
+
 double ObstacleMap::BlockedShare(double height) const {
-  if (empty()) return 0;
-  const auto blocked = std::count_if(lowest_.begin(), lowest_.end(),
-                                     [height](float lowest) { return lowest < height; });
-  return static_cast<double>(blocked) / static_cast<double>(lowest_.size());
+  std::size_t blocked = 0;
+  std::size_t cells = 0;
+  for (const ObstacleLayer& layer : layers_) {
+    blocked += layer.BlockedCells(height);
+    cells += layer.grid().CellCount();
+  }
+  return cells == 0 ? 0 : static_cast<double>(blocked) / static_cast<double>(cells);
+}
+
+std::size_t ObstacleMap::memory_bytes() const {
+  std::size_t bytes = 0;
+  for (const ObstacleLayer& layer : layers_) bytes += layer.memory_bytes();
+  return bytes;
 }
 
 }  // namespace dbd

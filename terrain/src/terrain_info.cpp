@@ -83,7 +83,7 @@ TerrainInfo DescribeTerrain(const Terrain& terrain) {
                       (terrain.tin() != nullptr ? terrain.tin()->memory_bytes() : 0);
   info.has_obstacles = !terrain.obstacles().empty();
   if (info.has_obstacles) {
-    info.obstacle_cell_size = terrain.obstacles().grid().cell_size.x();
+    info.obstacle_cell_size = terrain.obstacles().layers().front().grid().cell_size.x();
     info.obstacle_share = terrain.obstacles().BlockedShare(kVehicleHeight);
   }
   return info;

@@ -151,6 +151,15 @@ TEST_F(Program, PlansAndWritesTheAnswerInOneGo) {
   EXPECT_EQ(fs::exists(Scratch("given_plan/route.gpx")), run.exit_code == 0);
 }
 
+TEST_F(Program, ADeadlineThatIsTooShortEndsWithCodeFourAndNoFiles) {
+  const Ending run =
+      RunDbd(PlanCommand(Land("dem.tif"), std::string(kVehicle) + kEnds) + "--deadline 0.001");
+  EXPECT_EQ(run.exit_code, 4);
+  EXPECT_EQ(run.errors, "dbd: the deadline passed before a candidate reached the goal\n");
+  EXPECT_FALSE(fs::exists(Scratch("out")));
+  ExpectRefusal(PlanCommand(Land("dem.tif"), kVehicle) + kEnds + "--deadline -1", "--deadline");
+}
+
 TEST_F(Program, DrivesStraightAheadAndAlongItsOwnRoute) {
   const std::string common = "simulate --dem " + Land("dem.tif") + " " + kVehicle;
   const Ending ahead =

@@ -5,8 +5,11 @@
 #include <gtest/gtest.h>
 #include <ogrsf_frmts.h>
 
+#include <optional>
+
 #include "geojson.h"
 #include "support/temporary_directory.h"
+#include "support/terrain_files.h"
 #include "synthetic_plan.h"
 #include "text.h"
 
@@ -19,19 +22,6 @@ class RouteFormats : public testing::Test {
     for (TraceSample& sample : route_.trace) sample.y += std::sin(sample.s);
   }
 
-  // Largest distance of what was written from what is read back, point by point [m].
-  double WorstAfter(const std::string& file) {
-    const GeoPath path = ReadGeoPath(file);
-    EXPECT_EQ(path.points.size(), route_.trace.size());
-    double worst = path.points.size() == route_.trace.size() ? 0 : 1e9;
-    for (std::size_t i = 0; i < std::min(path.points.size(), route_.trace.size()); ++i) {
-      const Eigen::Vector2d local = plan_.terrain.frame().FromWgs84(path.points[i]);
-      const Eigen::Vector2d written(route_.trace[i].x, route_.trace[i].y);
-      worst = std::max(worst, (local - written).norm());
-    }
-    return worst;
-  }
-
   std::string File(const char* name) { return scratch_.File(name); }
 
   TemporaryDirectory scratch_;
@@ -39,16 +29,67 @@ class RouteFormats : public testing::Test {
   Rollout route_;
 };
 
-TEST_F(RouteFormats, LandWithinACentimetreWhenReadBack) {
-  const LocalFrame& frame = plan_.terrain.frame();
-  WriteGpx(File("a.gpx"), route_, "drive", frame);
-  WriteKml(File("a.kml"), route_, "drive", frame);
-  WriteGeoPackage(File("a.gpkg"), route_, "drive", frame);
-  WriteTextFile(File("a.geojson"), RouteGeoJson(route_, "drive", frame));
+struct Place {
+  const char* name;
+  std::string crs;
+  Eigen::Vector2d corner;  // of the ground, in `crs`
+  double cell;             // in its unit
+};
+
+// 160 m of route on ground in this system: its frame is what the loader makes of it.
+class RouteReadBack : public RouteFormats, public testing::WithParamInterface<Place> {
+ protected:
+  RouteReadBack() {
+    const Place& place = GetParam();
+    TestRaster raster;
+    raster.columns = raster.rows = 8;
+    raster.crs = place.crs;
+    raster.transform = {place.corner.x(), place.cell, 0, place.corner.y(), 0, -place.cell};
+    frame_ = LoadElevationOnly(raster.Write(File("dem.tif")))->frame();
+  }
+
+  // Largest distance of what was written from what is read back, point by point [m].
+  double WorstAfter(const std::string& file) {
+    const GeoPath path = ReadGeoPath(file);
+    EXPECT_EQ(path.points.size(), route_.trace.size());
+    double worst = path.points.size() == route_.trace.size() ? 0 : 1e9;
+    for (std::size_t i = 0; i < std::min(path.points.size(), route_.trace.size()); ++i) {
+      const Eigen::Vector2d local = frame_->FromWgs84(path.points[i]);
+      const Eigen::Vector2d written(route_.trace[i].x, route_.trace[i].y);
+      worst = std::max(worst, (local - written).norm());
+    }
+    return worst;
+  }
+
+  std::optional<LocalFrame> frame_;
+};
+
+TEST_P(RouteReadBack, LandsWithinACentimetre) {
+  WriteGpx(File("a.gpx"), route_, "drive", *frame_);
+  WriteKml(File("a.kml"), route_, "drive", *frame_);
+  WriteGeoPackage(File("a.gpkg"), route_, "drive", *frame_);
+  WriteTextFile(File("a.geojson"), RouteGeoJson(route_, "drive", *frame_));
   for (const char* name : {"a.gpx", "a.kml", "a.gpkg", "a.geojson"}) {
-    EXPECT_LT(WorstAfter(File(name)), 0.01) << name;
+    const double worst = WorstAfter(File(name));
+    EXPECT_LT(worst, 0.01) << name;
+    RecordProperty(std::string(name).substr(2) + "_worst_mm", Format("%.4f", 1e3 * worst));
   }
 }
+
+// The route at 180 degrees lies on both sides of the date line.
+INSTANTIATE_TEST_SUITE_P(Places, RouteReadBack,
+                         testing::Values(Place{"Utm", "EPSG:32633", {500000, 5000000}, 1},
+                                         Place{"Degrees", "EPSG:4326", {-119.93, 39.29}, 1e-5},
+                                         Place{"NationalGrid", "EPSG:3794", {564000, 146000}, 1},
+                                         Place{"Feet", "EPSG:2227", {6000000, 2000000}, 3},
+                                         Place{"South", "EPSG:32719", {400000, 6300000}, 1},
+                                         Place{"Svalbard", "EPSG:32633", {512000, 8700000}, 1},
+                                         Place{"DegreesAtLatitude84", "EPSG:4326", {25, 84}, 1e-4},
+                                         Place{"AntarcticIce", "EPSG:3031", {100000, -1200000}, 1},
+                                         Place{"DateLine", "EPSG:32760", {819390, 8118000}, 1}),
+                         [](const testing::TestParamInfo<Place>& place) {
+                           return std::string(place.param.name);
+                         });
 
 TEST_F(RouteFormats, GiveHeightsAndTimes) {
   const LocalFrame& frame = plan_.terrain.frame();

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 
 #include "candidate_test_terrain.h"
 
@@ -91,17 +92,16 @@ TEST(EvaluateRollouts, StopEndsEveryDriveAsCancelled) {
   }
 }
 
-TEST(EvaluateRollouts, CountsEveryDriveOnce) {
+TEST(EvaluateRollouts, ReportsEveryDriveOnce) {
   const auto vehicle = LoadVehicle("tomcar-tm27");
   const Terrain terrain = WavesWithABank();
-  std::vector<int> seen;
-  EvaluateRollouts(terrain, *vehicle, Fan(6), {},
-                   [&seen](const std::string&, int done, int total) {
-                     EXPECT_EQ(total, 6);
-                     seen.push_back(done);
-                   },
-                   {});
-  EXPECT_EQ(seen, (std::vector<int>{1, 2, 3, 4, 5, 6}));
+  std::multiset<double> seen, returned;
+  const auto on_done = [&seen](const Rollout& rollout) { seen.insert(rollout.time); };
+  for (const Rollout& rollout : EvaluateRollouts(terrain, *vehicle, Fan(6), {}, on_done, {})) {
+    returned.insert(rollout.time);
+  }
+  EXPECT_EQ(seen, returned);
+  EXPECT_EQ(seen.size(), 6u);
 }
 
 }  // namespace

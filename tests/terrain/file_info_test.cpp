@@ -97,48 +97,122 @@ std::vector<std::string> Split(const std::string& line) {
   return parts;
 }
 
-// Each line of the table: file, then key=value. The header of avaKot_resistance.shp states a larger
-// extent than its polygons have; the table holds the true one.
+struct StatedFile {
+  std::string name;
+  std::vector<std::pair<std::string, std::string>> facts;
+};
+
+// Each line of a table: file, then key=value.
+std::vector<StatedFile> ReadTable(const std::string& name) {
+  std::ifstream table(std::string(DBD_TEST_DIRECTORY) + "/terrain/" + name);
+  std::vector<StatedFile> files;
+  for (std::string line; std::getline(table, line);) {
+    const std::vector<std::string> parts = Split(line);
+    StatedFile file{parts[0], {}};
+    for (std::size_t i = 1; i < parts.size(); ++i) {
+      const std::size_t equals = parts[i].find('=');
+      file.facts.emplace_back(parts[i].substr(0, equals), parts[i].substr(equals + 1));
+    }
+    files.push_back(std::move(file));
+  }
+  return files;
+}
+
+void ExpectFacts(const StatedFile& stated, const FileInfo& info) {
+  Facts facts = std::visit([](const auto& content) { return FactsOf(content); }, info.content);
+  for (const auto& [key, value] : stated.facts) {
+    if (key == "warning") {
+      EXPECT_THAT(info.warnings, testing::Contains(HasSubstr(value)));
+    } else {
+      EXPECT_TRUE(IsAsStated(value, facts[key]))
+          << key << " is " << facts[key] << ", not " << value;
+    }
+  }
+}
+
+// The header of avaKot_resistance.shp states a larger extent than its polygons have; the table
+// holds the true one.
 TEST(FileInfo, StatesWhatRealFilesHold) {
   if (SharedFile("dem").empty()) GTEST_SKIP() << "no shared data";
-  std::ifstream table(std::string(DBD_TEST_DIRECTORY) + "/terrain/real_files.csv");
-  int files = 0;
-  for (std::string line; std::getline(table, line); ++files) {
-    const std::vector<std::string> parts = Split(line);
-    SCOPED_TRACE(parts[0]);
-    Facts facts;
+  const std::vector<StatedFile> files = ReadTable("real_files.csv");
+  EXPECT_GE(files.size(), 70U);
+  for (const StatedFile& stated : files) {
+    SCOPED_TRACE(stated.name);
     try {
-      const FileInfo info = DescribeFile(SharedFile(parts[0]));
-      facts = std::visit([](const auto& content) { return FactsOf(content); }, info.content);
+      ExpectFacts(stated, DescribeFile(SharedFile(stated.name)));
     } catch (const InputError& error) {
       ADD_FAILURE() << error.what();
     }
-    for (std::size_t i = 1; i < parts.size(); ++i) {
-      const std::size_t equals = parts[i].find('=');
-      const std::string key = parts[i].substr(0, equals);
-      const std::string stated = parts[i].substr(equals + 1);
-      EXPECT_TRUE(IsAsStated(stated, facts[key]))
-          << key << " is " << facts[key] << ", not " << stated;
-    }
   }
-  EXPECT_GE(files, 70);
 }
 
-TEST(FileInfo, RefusesOrReadsMalformedFilesQuicklyAndSilently) {
+// Refused in one line that says why, or read to the end with a warning that says what is odd.
+void ExpectRefusedOrWarned(const StatedFile& stated) {
+  const std::string file = SharedFile(stated.name);
+  std::optional<FileInfo> info;
+  const std::string message = ErrorOf([&] { info = DescribeFile(file); });
+  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  if (!info) {
+    EXPECT_EQ(message.rfind(file + ": ", 0), 0U) << message;
+    ASSERT_EQ(stated.facts.front().first, "error") << message;
+    EXPECT_THAT(message, HasSubstr(stated.facts.front().second));
+    return;
+  }
+  EXPECT_FALSE(info->warnings.empty());
+  ASSERT_NE(stated.facts.front().first, "error") << "is read";
+  ExpectFacts(stated, *info);
+}
+
+TEST(FileInfo, RefusesMalformedFilesOrWarnsQuicklyAndSilently) {
   const std::string directory = SharedFile("malformed");
   if (directory.empty()) GTEST_SKIP() << "no shared data";
   testing::internal::CaptureStderr();
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(directory)) {
-    if (!entry.is_regular_file()) continue;
-    const std::string file = entry.path().string();
+  const std::vector<StatedFile> files = ReadTable("malformed_files.csv");
+  for (const StatedFile& stated : files) {
+    SCOPED_TRACE(stated.name);
     const auto start = std::chrono::steady_clock::now();
-    const std::string message = ErrorOf([&] { DescribeFile(file); });
+    ExpectRefusedOrWarned(stated);
     const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
-    EXPECT_LT(time.count(), 5) << file;
-    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-    EXPECT_TRUE(message.empty() || message.rfind(file + ": ", 0) == 0) << message;
+    EXPECT_LT(time.count(), 5);
   }
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  std::size_t present = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(directory)) {
+    present += entry.is_regular_file() ? 1 : 0;
+  }
+  EXPECT_EQ(present, files.size()) << "the table lacks files";
+}
+
+std::vector<std::string> WarningsOf(const std::string& name, const std::string& text) {
+  const TemporaryDirectory directory;
+  return DescribeFile(directory.Write(name, text)).warnings;
+}
+
+constexpr char kLine[] =
+    "<LineString><coordinates>14,46 15,46</coordinates></LineString></Placemark>";
+
+TEST(FileInfo, NamesElementsThatKmlDoesNotHave) {
+  const std::string head =
+      "<?xml version=\"1.0\"?><kml xmlns=\"http://www.opengis.net/kml/2.2\" "
+      "xmlns:gx=\"http://www.google.com/kml/ext/2.2\"><Document><Placemark>";
+  const std::string tail = std::string(kLine) + "</Document></kml>";
+  EXPECT_THAT(WarningsOf("a.kml", head + "<name>n</name><gx:balloonVisibility/>" + tail),
+              testing::IsEmpty());
+  EXPECT_THAT(WarningsOf("a.kml", head + "<nickname>n</nickname>" + tail),
+              testing::ElementsAre("its <nickname> is no element of KML"));
+  EXPECT_THAT(WarningsOf("a.kml", head + "<gx:Track/></Placemark><Placemark>" + tail),
+              testing::ElementsAre(HasSubstr("its <gx:Track> is not read")));
+}
+
+TEST(FileInfo, NamesGpxExtensionsWithoutNamespace) {
+  const std::string head =
+      "<gpx version=\"1.1\" creator=\"t\" xmlns=\"http://www.topografix.com/GPX/1/1\" "
+      "xmlns:o=\"http://o.org\"><wpt lat=\"46\" lon=\"14\"><extensions>";
+  const std::string tail = "</extensions></wpt></gpx>";
+  EXPECT_THAT(WarningsOf("a.gpx", head + "<o:a/><b xmlns=\"http://b.org\">c</b>" + tail),
+              testing::IsEmpty());
+  EXPECT_THAT(WarningsOf("a.gpx", head + "<o:a/><b/><b/>" + tail),
+              testing::ElementsAre(HasSubstr("its extension <b> has no namespace")));
 }
 
 }  // namespace

@@ -120,6 +120,22 @@ TEST(HeightMap, BoundIsLocal) {
   EXPECT_DOUBLE_EQ(map.HighestWithin(0.4, 63.5, 45), 0);
 }
 
+// Large enough for pages of 2 MB: 900 x 700 cells take 5 MB.
+TEST(HeightMap, KeepsEveryCellOfALargeMap) {
+  const HeightMap::Grid grid = MakeGrid(900, 700);
+  std::vector<float> heights(grid.CellCount());
+  for (std::size_t i = 0; i < heights.size(); ++i) heights[i] = static_cast<float>(i % 9973);
+  const HeightMap map(grid, heights);
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int column = 0; column < grid.columns; ++column) {
+      const float stated = heights[static_cast<std::size_t>(row) * 900 + column];
+      const Eigen::Vector2d center = grid.Center(column, row);
+      ASSERT_EQ(map.CellHeight(column, row), stated);
+      ASSERT_EQ(map.Height(center.x(), center.y()), stated) << column << ", " << row;
+    }
+  }
+}
+
 TEST(HeightMap, RefusesTooFewCells) {
   EXPECT_THAT(ErrorOf([] { HeightMap(MakeGrid(1, 5), std::vector<float>(5)); }),
               HasSubstr("at least 2 x 2"));

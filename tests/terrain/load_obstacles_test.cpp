@@ -96,7 +96,7 @@ TEST_F(LoadObstaclesTest, RespectsPrunedLeaves) {
     }
   }
   const ObstacleMap map = LoadObstacles(Write("a.bt"), FlatGround(100), MapPlacement{});
-  EXPECT_EQ(map.grid().columns, 2);
+  EXPECT_EQ(map.layers().front().grid().columns, 2);
   EXPECT_TRUE(map.Blocks(0.8, 0.8, 0.6));
   EXPECT_FALSE(map.Blocks(0.8, 0.8, 0.5));
 }

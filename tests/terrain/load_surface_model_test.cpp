@@ -1,6 +1,7 @@
 #include <dbd/terrain/terrain.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <octomap/OcTree.h>
 
 #include "support/terrain_files.h"
 
@@ -41,12 +42,27 @@ TEST_F(LoadSurfaceModelTest, MakesObstaclesOfWhatRisesAboveTheThreshold) {
   EXPECT_TRUE(Blocks(*LoadTerrain(files_), 6.5, 3.5));
 }
 
-TEST_F(LoadSurfaceModelTest, RefusesASurfaceElsewhereOrASecondSetOfObstacles) {
+TEST_F(LoadSurfaceModelTest, RefusesASurfaceElsewhere) {
   raster_.transform[0] = 600000;
   files_.surface_model = raster_.Write(directory_.File("far.tif"));
   EXPECT_THAT(ErrorOf([this] { LoadTerrain(files_); }), HasSubstr("overlap"));
-  files_.obstacles = "a.bt";
-  EXPECT_THAT(ErrorOf([this] { LoadTerrain(files_); }), HasSubstr("cannot both be given"));
+}
+
+// The tree of the surface model and a rock of the OctoMap, each on cells of its own size.
+TEST_F(LoadSurfaceModelTest, BlocksTogetherWithAnOctoMap) {
+  octomap::OcTree tree(0.2);
+  tree.updateNode(7.5, -1.5, 101.0, true);  // 7.5 m east, 1.5 m south of the corner
+  files_.obstacles = directory_.File("rock.bt");
+  tree.writeBinary(files_.obstacles);
+  files_.obstacles_placement.origin = {500000, 5200000};
+  const auto terrain = LoadTerrain(files_);
+  EXPECT_TRUE(Blocks(*terrain, 2.5, 3.5));
+  EXPECT_TRUE(Blocks(*terrain, 7.5, 1.5));
+  EXPECT_FALSE(Blocks(*terrain, 8.5, 1.5));
+  // 1 cell of 10 x 10 and the only voxel column.
+  EXPECT_DOUBLE_EQ(terrain->obstacles().BlockedShare(2), 2.0 / 101.0);
+  files_.surface_model.clear();
+  EXPECT_FALSE(Blocks(*LoadTerrain(files_), 2.5, 3.5));
 }
 
 TEST(LoadSurfaceModel, FindsTheTreesOfARealPair) {

@@ -127,6 +127,20 @@ TEST(LoadTerrain, WarpsARealGeographicRaster) {
   EXPECT_NEAR(grid.rows * grid.cell_size.y(), 246, 6);
 }
 
+TEST(LoadTerrain, SaysWhatToConvertPointCloudsTo) {
+  for (const char* name : {"a.las", "a.LAZ", "a.pcd"}) {
+    TerrainFiles files;
+    files.elevation = name;
+    EXPECT_THAT(ErrorOf([&] { LoadTerrain(files); }), HasSubstr("ground points to XYZ")) << name;
+    files.elevation = "dem.tif";
+    files.obstacles = name;
+    EXPECT_THAT(ErrorOf([&] { LoadTerrain(files); }), HasSubstr("to an OctoMap")) << name;
+    files.obstacles.clear();
+    files.surface_model = name;
+    EXPECT_THAT(ErrorOf([&] { LoadTerrain(files); }), HasSubstr("highest points")) << name;
+  }
+}
+
 TEST(LoadTerrain, ReadsACoRegisteredRealSet) {
   TerrainFiles files;
   files.elevation = SharedFile("dem/lidr_topography_dtm_1m.tif");
@@ -139,7 +153,7 @@ TEST(LoadTerrain, ReadsACoRegisteredRealSet) {
   EXPECT_NEAR(terrain->materials().Share(MaterialMap::kNone), 0.00175, 1e-4);
   // Most of what trees fill lies over the canopy class.
   const ObstacleMap& obstacles = terrain->obstacles();
-  const HeightMap::Grid& grid = obstacles.grid();
+  const HeightMap::Grid& grid = obstacles.layers().front().grid();
   int open = 0;
   int canopy = 0;
   for (int row = 0; row < grid.rows; ++row) {

@@ -17,10 +17,11 @@ enum class FloodDirection {
 /// Cells of the trafficability layer that connect to a place by moves to one of the eight
 /// neighbours, each move judged with its own heading but without regard to turning. Tells whether
 /// ground is enclosed, by what, and where a way through narrow places runs.
+/// Throws StopRequested soon after `stop` was asked to.
 class CellFlood {
  public:
   CellFlood(const TrafficabilityLayer& layer, const Eigen::Vector2d& origin,
-            FloodDirection direction);
+            FloodDirection direction, std::stop_token stop = {});
 
   bool Reaches(const Eigen::Vector2d& place) const;
   std::size_t cell_count() const { return cell_count_; }
@@ -55,6 +56,7 @@ class CellFlood {
   const TrafficabilityLayer& layer_;
   Eigen::Vector2d origin_;
   FloodDirection direction_;
+  std::stop_token stop_;
   std::vector<std::uint8_t> reached_by_;  // the move that reached the cell, kOrigin or kDry
   std::size_t cell_count_ = 0;
 };

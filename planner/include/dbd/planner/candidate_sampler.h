@@ -1,6 +1,7 @@
 #pragma once
 
 #include <dbd/planner/plan_types.h>
+#include <dbd/planner/stop.h>
 #include <dbd/planner/trafficability.h>
 
 #include <optional>
@@ -32,10 +33,14 @@ struct CandidateSet {
 /// Routes nearer to each other than `min_separation` are replaced while others can be found; when
 /// fewer different ones exist, nearer variants fill up.
 ///
+/// `known` are routes that were sampled before: new ones differ from them as from each other.
 /// Bit-identical for any `options.threads`. `progress` is called from the calling thread only.
-/// Throws InputError when an end lies outside the map or on unknown ground, or both coincide.
+/// Throws InputError when an end lies outside the map or on unknown ground, or both coincide, and
+/// StopRequested soon after `stop` was asked to.
 CandidateSet SampleCandidates(const Terrain& terrain, const VehicleModel& vehicle,
                               const TrafficabilityLayer& layer, const PlanRequest& request,
-                              const PlanOptions& options, const ProgressCallback& progress);
+                              const PlanOptions& options, const ProgressCallback& progress,
+                              const std::stop_token& stop = {},
+                              const std::vector<Candidate>& known = {});
 
 }  // namespace dbd

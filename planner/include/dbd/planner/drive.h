@@ -11,11 +11,12 @@
 namespace dbd {
 
 struct DriveOptions {
-  double target_speed = 5;         ///< on open ground [m/s]
-  double duration = 60;            ///< longest simulated time [s]
-  double trace_interval = 0.05;    ///< of the trace [s]; 0 = by distance
-  double trace_distance = 1.0;     ///< of the trace [m], where trace_interval is 0
-  double goal_tolerance = 2.0;     ///< of the path's end [m]
+  double target_speed = 5;       ///< on open ground [m/s]
+  double duration = 60;          ///< longest simulated time [s]
+  double trace_interval = 0.05;  ///< of the trace [s]; 0 = by distance
+  double trace_distance = 1.0;   ///< of the trace [m], where trace_interval is 0
+  double goal_tolerance = 2.0;   ///< of the path's end [m]
+  std::vector<SpeedCap> speed_caps = {};
   bool stop_at_violation = false;  ///< end the drive where a limit of the vehicle is exceeded
   /// Multipass: axles are taken to follow the foremost one's ruts.
   SinkageOptions sinkage = {};

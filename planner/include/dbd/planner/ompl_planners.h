@@ -28,8 +28,10 @@ struct OmplQuery {
 /// Waypoints of a route, to be joined by Dubins curves; empty when none was found within
 /// `iterations` (the planner's own steps, counted: never a time) or when the planner's route does
 /// not hold before the layer. The same for the same seed, whatever else runs at the same time.
+/// Throws StopRequested soon after `stop` was asked to.
 std::vector<Pose2> SolveWithOmpl(OmplPlanner planner, const TrafficabilityLayer& layer,
-                                 const OmplQuery& query, std::uint64_t seed, int iterations);
+                                 const OmplQuery& query, std::uint64_t seed, int iterations,
+                                 const std::stop_token& stop = {});
 
 /// Keeps OMPL from printing while at least one of these lives, then gives the process its output
 /// handler back.

@@ -22,6 +22,14 @@ struct SamplingOptions {
   double min_separation = 5.0;    ///< routes nearer to each other than this are the same [m]
 };
 
+/// How the budget of driven candidates is spent: some are driven first, what they met guides the
+/// search for more, and in the end the best are varied.
+struct LearningOptions {
+  int rounds = 3;              ///< of sampling and driving, at most; 1 = nothing is learnt
+  double first_share = 0.5;    ///< of the candidates, in the first round
+  double polish_share = 0.25;  ///< of the candidates, for variants of the best
+};
+
 /// What makes one route better than another: seconds that one unit is worth.
 struct ScoringOptions {
   double energy_weight = 2e-4;  ///< [s/J]
@@ -36,12 +44,15 @@ enum class RolloutEngine {
 
 struct PlanOptions {
   SamplingOptions sampling;
+  LearningOptions learning;
   ScoringOptions scoring;
   std::uint64_t seed = 1;
-  double max_speed = 8.0;       ///< target speed on open ground [m/s]
-  int threads = 0;              ///< 0 = all
+  double max_speed = 8.0;  ///< target speed on open ground [m/s]
+  int threads = 0;         ///< 0 = all
   RolloutEngine engine = RolloutEngine::kLanes;
   double goal_tolerance = 2.0;  ///< [m]
+  /// Wall time for the answer [s]; then the best so far is given. Infinite: as long as it takes.
+  double deadline = std::numeric_limits<double>::infinity();
 
   /// Throws InputError that names the field, its value and the rule.
   void Validate() const;
@@ -55,11 +66,20 @@ struct PlanRequest {
   std::optional<double> goal_heading;
 };
 
+/// A part of a route that is driven no faster than this.
+struct SpeedCap {
+  double from = 0;   ///< arc length [m]
+  double to = 0;     ///< [m]
+  double speed = 0;  ///< [m/s]
+};
+
 /// A route that was sampled and not yet driven. Its index is its name in every list and file.
 struct Candidate {
   std::string origin;  ///< the planner that found it
   Path path;
   double layer_cost = 0;  ///< cost by the trafficability layer [s]
+  /// Besides what ground and driver ask for.
+  std::vector<SpeedCap> speed_caps = {};
 };
 
 /// How a drive ended.
@@ -132,8 +152,17 @@ struct Score {
   std::vector<std::pair<std::string, double>> terms;
 };
 
+/// kDeadline and kCancelled: stopped before the end; with the best route so far, if there is one.
 enum class PlanStatus { kRoute, kNoGo, kDeadline, kCancelled };
 const char* PlanStatusName(PlanStatus status);
+
+/// What one round of sampling and driving gained.
+struct PlanRound {
+  std::string name;    ///< "sample", "learn", "polish"
+  int candidates = 0;  ///< driven in it; their indices follow those of the round before
+  int reached = 0;
+  double best_score = std::numeric_limits<double>::infinity();  ///< of all rounds so far [s]
+};
 
 /// The answer: the chosen route with its proof, and what became of every other candidate.
 struct Plan {
@@ -144,12 +173,15 @@ struct Plan {
   std::vector<Candidate> candidates;
   std::vector<Rollout> rollouts;
   std::vector<Score> scores;
+  std::vector<PlanRound> rounds;
   std::vector<std::pair<std::string, double>> timing;  ///< seconds per stage, in order
   double simulated_time = 0;                           ///< of all rollouts [s]
-  std::uint64_t digest = 0;                            ///< of everything that must be reproducible
+  /// Wall time until the first drive reached the goal [s]; nothing when none did.
+  std::optional<double> first_route_time;
+  std::uint64_t digest = 0;  ///< of everything that must be reproducible
 };
 
-/// Called now and then from the planning thread: stage name, done, total.
+/// Called now and then, from any thread but one call at a time: stage name, done, total.
 using ProgressCallback = std::function<void(const std::string& stage, int done, int total)>;
 
 }  // namespace dbd

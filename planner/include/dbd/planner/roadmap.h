@@ -33,11 +33,12 @@ struct RoadmapQuery {
 /// Directed, because a Dubins curve cannot be driven backwards. Nodes are a Halton sequence,
 /// shifted by the seed, over the rectangle and the headings, with more headings towards the goal;
 /// no-go nodes and edges are left out. Edges are built in parallel in the caller's task arena,
-/// with the same result for any number of threads.
+/// with the same result for any number of threads. Building and searching throw StopRequested soon
+/// after `stop` was asked to.
 class Roadmap {
  public:
   Roadmap(const TrafficabilityLayer& layer, double turning_radius, const RoadmapQuery& query,
-          const RoadmapOptions& options);
+          const RoadmapOptions& options, std::stop_token stop = {});
   ~Roadmap();
   Roadmap(const Roadmap&) = delete;
   Roadmap& operator=(const Roadmap&) = delete;
@@ -70,6 +71,7 @@ class Roadmap {
 
   const TrafficabilityLayer* layer_;
   double turning_radius_;
+  std::stop_token stop_;
   int starts_ = 0;  // nodes_: starts, then goals, then guides, then samples
   int goals_ = 0;
   std::vector<Pose2> nodes_;

@@ -6,6 +6,8 @@ namespace dbd {
 
 /// Fills in status, chosen, reason and blocked_at from the driven and scored candidates: the
 /// lowest score among the feasible, ties by index; else where and why the drives failed.
-void ChooseRoute(Plan& plan);
+/// `stopped`: kDeadline or kCancelled when planning ended before its end; the choice is then the
+/// best so far.
+void ChooseRoute(Plan& plan, std::optional<PlanStatus> stopped = std::nullopt);
 
 }  // namespace dbd

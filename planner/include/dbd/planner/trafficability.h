@@ -1,10 +1,13 @@
 #pragma once
 
 #include <dbd/core/vehicle_model.h>
+#include <dbd/planner/extra_cost.h>
+#include <dbd/planner/stop.h>
 #include <dbd/terrain/terrain.h>
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace dbd {
@@ -65,11 +68,12 @@ struct TrafficabilityOptions {
 /// in cells that have one within the box's circumcircle: a grid inflated by half the width would
 /// either close gaps that the vehicle fits through or forget its corners.
 ///
-/// Immutable after construction, safe for many threads. Keeps a reference to the terrain.
+/// Immutable after construction, safe for many threads. Keeps a reference to the terrain. The
+/// constructor throws StopRequested soon after `stop` was asked to.
 class TrafficabilityLayer {
  public:
   TrafficabilityLayer(const Terrain& terrain, const VehicleModel& vehicle, double max_speed,
-                      const TrafficabilityOptions& options = {});
+                      const TrafficabilityOptions& options = {}, const std::stop_token& stop = {});
 
   /// Go or no-go with the vehicle's path point (`VehicleModel::path_point_x`) at x, y [m, W] and a
   /// heading [rad]. What is looked at is the ground under the vehicle's middle, which lies ahead.
@@ -78,12 +82,16 @@ class TrafficabilityLayer {
   /// What speaks against the place whatever the heading; obstacles are not looked up.
   CellVerdict EvaluateAnyHeading(double x, double y) const;
 
-  /// Cost of travel there [s/m]: 1 / expected speed + climb + risk; infinite where no-go.
+  /// Cost of travel there [s/m]: 1 / expected speed + climb + risk + what `WithExtraCost` says;
+  /// infinite where no-go.
   ///
   /// With u the largest used share of a limit (roll, pitch, slope, traction, sinkage), the speed
   /// is max_speed (1 - 0.8 u) / (1 + roughness / roughness_scale), and the risk is
   /// risk_cost (u / (1.15 - u))^2, at most 100 risk_cost. Beside an obstacle u is at least 0.6.
   double SecondsPerMetre(double x, double y, double heading) const;
+
+  /// The same layer with another cost on top; it shares the cells.
+  TrafficabilityLayer WithExtraCost(std::shared_ptr<const ExtraCost> extra) const;
 
   /// No place costs less [s/m].
   double min_seconds_per_metre() const { return 1.0 / max_speed_; }
@@ -122,11 +130,13 @@ class TrafficabilityLayer {
   };
 
   void LayOutGrid(const HeightMap& heights, double half_footprint);
-  void FillCells(double half_footprint, double step_limit);
-  void MarkNearObstacles();
-  void MarkNearImpassable();
+  void FillCells(double half_footprint, double step_limit, const std::stop_token& stop);
+  void MarkNearObstacles(const std::stop_token& stop);
+  void MarkNear(const ObstacleLayer& obstacles, const std::stop_token& stop);
+  void MarkNearImpassable(const std::stop_token& stop);
   /// Dilates `marks` by `reach` [m] and sets `flag` in the cells that are marked then.
-  void FlagAround(std::vector<std::uint8_t> marks, double reach, std::uint8_t flag);
+  void FlagAround(std::vector<std::uint8_t> marks, double reach, std::uint8_t flag,
+                  const std::stop_token& stop);
   Footing FootingOn(const VehicleModel& vehicle, const Material& material) const;
   std::uint8_t MaterialIndexAt(double x, double y) const;
 
@@ -152,7 +162,8 @@ class TrafficabilityLayer {
   int columns_ = 0;
   int rows_ = 0;
   Eigen::Vector2d min_corner_;
-  std::vector<Cell> cells_;
+  std::shared_ptr<std::vector<Cell>> cells_;  // not changed after construction
+  std::shared_ptr<const ExtraCost> extra_;    // null: none
   std::vector<Footing> footings_;
 };
 

@@ -9,17 +9,43 @@
 
 namespace dbd {
 
-/// Obstacles from an OctoMap, kept as a layer over the ground: for each cell the lowest occupied
-/// height above the ground that is not the ground itself. Empty when there are none.
+/// Obstacles from one source, over the ground: for each cell the lowest occupied height above the
+/// ground that is not the ground itself.
+class ObstacleLayer {
+ public:
+  /// `lowest`: rows x columns, row 0 south; height above ground of the lowest occupied voxel's
+  /// bottom at or above `floor` [m], infinity where free. A cell is a square round its centre.
+  ObstacleLayer(const HeightMap::Grid& grid, std::vector<float> lowest);
+
+  /// Something less than `height` [m] above the ground stands in the rectangle with this centre,
+  /// heading [rad] and half extents [m].
+  bool BlocksBox(const Eigen::Vector2d& center, double heading, const Eigen::Vector2d& half_extents,
+                 double height) const;
+
+  /// Cells that hold an obstacle below `height`.
+  std::size_t BlockedCells(double height) const;
+
+  const HeightMap::Grid& grid() const { return grid_; }
+  std::size_t memory_bytes() const { return lowest_.size() * sizeof(float); }
+
+ private:
+  HeightMap::Grid grid_;
+  std::vector<float> lowest_;
+};
+
+/// Obstacles of all sources (an OctoMap, a surface model), each a layer on a grid of its own; what
+/// stands in any of them is in the way. Empty when there are none.
 class ObstacleMap {
  public:
   ObstacleMap() = default;
 
-  /// `lowest`: rows x columns, row 0 south; height above ground of the lowest occupied voxel's
-  /// bottom at or above `floor` [m], infinity where free. A cell is a square round its centre.
+  /// One layer, as `ObstacleLayer`.
   ObstacleMap(const HeightMap::Grid& grid, std::vector<float> lowest);
 
-  bool empty() const { return lowest_.empty(); }
+  /// Takes the layers of another map too.
+  void Add(ObstacleMap other);
+
+  bool empty() const { return layers_.empty(); }
 
   /// Something occupied stands less than `height` [m] above the ground at this place.
   bool Blocks(double x, double y, double height) const;
@@ -28,17 +54,14 @@ class ObstacleMap {
   bool BlocksBox(const Eigen::Vector2d& center, double heading, const Eigen::Vector2d& half_extents,
                  double height) const;
 
-  /// Share of the cells that hold an obstacle below `height`.
+  /// Share of the cells of all layers that hold an obstacle below `height`.
   double BlockedShare(double height) const;
 
-  /// rows x columns, as given.
-  const std::vector<float>& lowest() const { return lowest_; }
-  const HeightMap::Grid& grid() const { return grid_; }
-  std::size_t memory_bytes() const { return lowest_.size() * sizeof(float); }
+  const std::vector<ObstacleLayer>& layers() const { return layers_; }
+  std::size_t memory_bytes() const;
 
  private:
-  HeightMap::Grid grid_;
-  std::vector<float> lowest_;
+  std::vector<ObstacleLayer> layers_;
 };
 
 /// What space is that an OctoMap has not seen.

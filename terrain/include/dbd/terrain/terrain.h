@@ -48,7 +48,7 @@ struct TerrainFiles {
   MapPlacement obstacles_placement;  ///< of its x = y = 0
   UnknownSpace unknown_space = UnknownSpace::kFree;
   /// Heights of what stands on the ground (surface model), any raster; what rises more than
-  /// `surface_threshold` [m] above `elevation` is an obstacle. Not together with `obstacles`.
+  /// `surface_threshold` [m] above `elevation` is an obstacle, beside those of `obstacles`.
   std::string surface_model;
   double surface_threshold = 0.5;
   std::string default_material = "firm-soil";  ///< where `materials` is empty

@@ -1,0 +1,184 @@
+#include <dbd/core/error.h>
+#include <dbd/planner/plan_route.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+#include <random>
+#include <thread>
+
+#include "candidate_test_terrain.h"
+
+namespace dbd {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double SecondsSince(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
+
+/// 120 m x 60 m of waves with a hill in the middle.
+std::shared_ptr<const Terrain> Hill() {
+  static const auto terrain =
+      std::make_shared<const Terrain>(SurfaceTerrain(121, 61, 1, [](double x, double y) {
+        return 0.2 * std::sin(0.3 * x) +
+               8 * std::exp(-(std::pow(x - 60, 2) + std::pow(y - 30, 2)) / 300);
+      }));
+  return terrain;
+}
+
+PlanRequest AcrossTheHill() {
+  PlanRequest request;
+  request.start = {15, 30};
+  request.goal = {105, 30};
+  return request;
+}
+
+PlanOptions FewCandidates() {
+  PlanOptions options;
+  options.sampling.candidates = 8;
+  options.sampling.roadmap_nodes = 300;
+  options.sampling.planner_iterations = 200;
+  return options;
+}
+
+Plan PlanHill(const PlanOptions& options, std::stop_token stop = {},
+              const ProgressCallback& progress = {}) {
+  return PlanRoute(Hill(), TestVehicle(), AcrossTheHill(), options, progress, stop);
+}
+
+/// What every answer must hold, however early it was cut short.
+void ExpectConsistent(const Plan& plan) {
+  EXPECT_EQ(plan.rollouts.size(), plan.candidates.size());
+  EXPECT_EQ(plan.scores.size(), plan.candidates.size());
+  EXPECT_FALSE(plan.reason.empty());
+  const bool any_reached =
+      std::any_of(plan.rollouts.begin(), plan.rollouts.end(),
+                  [](const Rollout& rollout) { return rollout.outcome == Outcome::kReached; });
+  EXPECT_EQ(plan.chosen.has_value(), any_reached);
+  EXPECT_EQ(plan.first_route_time.has_value(), any_reached);
+}
+
+TEST(PlanRoute, FindsARouteAndTellsWhenTheFirstOneWasDriven) {
+  const auto begin = Clock::now();
+  const Plan plan = PlanHill(FewCandidates());
+  EXPECT_EQ(plan.status, PlanStatus::kRoute);
+  ExpectConsistent(plan);
+  ASSERT_TRUE(plan.first_route_time.has_value());
+  EXPECT_GT(*plan.first_route_time, 0);
+  EXPECT_LT(*plan.first_route_time, SecondsSince(begin));
+}
+
+TEST(PlanRoute, AnswersWithTheBestSoFarWhenCancelledAfterTheFirstDrives) {
+  std::stop_source source;
+  PlanOptions options = FewCandidates();
+  options.engine = RolloutEngine::kReference;  // one after the other
+  options.threads = 1;
+  const Plan plan =
+      PlanHill(options, source.get_token(), [&](const std::string& stage, int done, int) {
+        if (stage == "drive" && done == 3) source.request_stop();
+      });
+  ExpectConsistent(plan);
+  EXPECT_EQ(plan.status, PlanStatus::kCancelled);
+  ASSERT_TRUE(plan.chosen.has_value());
+  EXPECT_TRUE(plan.reason.starts_with("cancelled: best so far, candidate "));
+  EXPECT_EQ(plan.rollouts.back().outcome, Outcome::kCancelled);
+}
+
+TEST(PlanRoute, CancelledBeforeItBeganHasNoRoute) {
+  std::stop_source source;
+  source.request_stop();
+  const Plan plan = PlanHill(FewCandidates(), source.get_token());
+  EXPECT_EQ(plan.status, PlanStatus::kCancelled);
+  EXPECT_EQ(plan.reason, "cancelled before a candidate reached the goal");
+  ExpectConsistent(plan);
+}
+
+// Deadlines and cancels at moments all over a plan. How far they are overshot depends on what else
+// the machine does: `deadline_benchmark` measures that, here is only what would be a defect.
+TEST(PlanRoute, StopsAtAnyMoment) {
+  PlanOptions options = FewCandidates();
+  options.engine = RolloutEngine::kReference;
+  const auto begin = Clock::now();
+  PlanHill(options);
+  const double whole = SecondsSince(begin);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> share(0, 0.9);
+  for (int i = 0; i < 6; ++i) {
+    const double moment = share(random) * whole;
+    const bool cancel = i % 2 == 0;
+    options.deadline = cancel ? 1e6 : moment;
+    std::stop_source source;
+    const auto start = Clock::now();
+    std::jthread canceller;
+    if (cancel) {
+      canceller = std::jthread([&source, moment] {
+        std::this_thread::sleep_for(std::chrono::duration<double>(moment));
+        source.request_stop();
+      });
+    }
+    const Plan plan = PlanHill(options, source.get_token());
+    EXPECT_LT(SecondsSince(start), moment + 1) << moment;
+    ExpectConsistent(plan);
+    if (plan.status == PlanStatus::kRoute) continue;  // done earlier than the first time
+    EXPECT_EQ(plan.status, cancel ? PlanStatus::kCancelled : PlanStatus::kDeadline);
+  }
+}
+
+PlanOptions InRounds() {
+  PlanOptions options = FewCandidates();
+  options.sampling.candidates = 16;  // 8, then 2 + 2 that learn, then 2 + 2 that polish
+  return options;
+}
+
+TEST(PlanRoute, SpendsItsBudgetInRoundsThatNeverLose) {
+  const Plan plan = PlanHill(InRounds());
+  ExpectConsistent(plan);
+  EXPECT_EQ(plan.candidates.size(), 16u);
+  ASSERT_GE(plan.rounds.size(), 3u);
+  EXPECT_EQ(plan.rounds.front().name, "sample");
+  EXPECT_EQ(plan.rounds.front().candidates, 8);
+  EXPECT_EQ(plan.rounds[1].name, "learn");
+  EXPECT_EQ(plan.rounds.back().name, "polish");
+  int driven = 0;
+  double best = std::numeric_limits<double>::infinity();
+  for (const PlanRound& round : plan.rounds) {
+    driven += round.candidates;
+    EXPECT_LE(round.best_score, best);
+    best = round.best_score;
+  }
+  EXPECT_EQ(driven, 16);
+  EXPECT_EQ(plan.scores[static_cast<std::size_t>(plan.chosen.value())].total, best);
+}
+
+TEST(PlanRoute, OneRoundLearnsNothing) {
+  PlanOptions options = InRounds();
+  options.learning.rounds = 1;
+  options.learning.polish_share = 0;
+  const Plan plan = PlanHill(options);
+  ASSERT_EQ(plan.rounds.size(), 1u);
+  EXPECT_EQ(plan.rounds[0].candidates, 16);
+}
+
+TEST(PlanRoute, HasTheSameDigestForAnyNumberOfThreads) {
+  PlanOptions options = InRounds();
+  options.threads = 1;
+  const std::uint64_t one = PlanHill(options).digest;
+  for (const int threads : {2, 3}) {
+    options.threads = threads;
+    EXPECT_EQ(PlanHill(options).digest, one) << threads;
+  }
+  options.seed = 2;
+  EXPECT_NE(PlanHill(options).digest, one);
+}
+
+TEST(PlanRoute, RefusesADeadlineInThePast) {
+  PlanOptions options;
+  options.deadline = -1;
+  EXPECT_THROW(options.Validate(), InputError);
+}
+
+}  // namespace
+}  // namespace dbd
