@@ -80,6 +80,8 @@ PlanOptions ReadOptions(const JsonObject& line) {
     options.seed = static_cast<std::uint64_t>(line.Number("seed", 0, 9007199254740992.0));
   }
   options.max_speed = KilometersPerHour(line.Number("max_speed_kmh", 0.1, 500, 28.8));
+  if (line.Has("rounds")) options.learning.rounds = line.Integer("rounds", 1, 100);
+  if (line.Has("deadline_s")) options.deadline = line.Number("deadline_s", 1e-3, 1e9);
   const std::string engine = Choice(line, "engine", "lanes", {"lanes", "reference"});
   options.engine = engine == "reference" ? RolloutEngine::kReference : RolloutEngine::kLanes;
   return options;
