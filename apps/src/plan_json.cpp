@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "json_parts.h"
+#include "plan_basis.h"
 #include "text.h"
 
 namespace dbd {
@@ -150,6 +151,16 @@ ordered_json RoundsJson(const Plan& plan) {
   return rounds;
 }
 
+ordered_json RestsOnJson(const PlanRecord& record) {
+  ordered_json items = ordered_json::array();
+  for (const BasisItem& item : FilesBehind(record)) {
+    ordered_json json = {{"what", item.what}, {"name", item.name}};
+    if (!item.sha256.empty()) json["sha256"] = item.sha256;
+    items.push_back(std::move(json));
+  }
+  return items;
+}
+
 ordered_json TimingJson(const Plan& plan) {
   ordered_json timing = ordered_json::object();
   for (const auto& [stage, seconds] : plan.timing) timing[stage] = Rounded(seconds, 4);
@@ -180,6 +191,7 @@ std::string PlanJson(const PlanRecord& record) {
   document["engine"] = record.options.engine == RolloutEngine::kReference ? "reference" : "lanes";
   document["digest"] = Format("%016llx", static_cast<unsigned long long>(plan.digest));
   document["timing_s"] = TimingJson(plan);
+  document["rests_on"] = RestsOnJson(record);
   document["versions"] = VersionsJson();
   return JsonText(document);
 }
