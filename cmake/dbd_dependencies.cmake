@@ -5,6 +5,9 @@ if(DBD_BUILD_APPS)
   find_package(CLI11 CONFIG REQUIRED)
   find_package(PkgConfig REQUIRED)
   pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
+  find_package(OpenSSL 3 REQUIRED COMPONENTS Crypto)  # hashes of input files
+  # Chart.js (MIT licence) is built into the program and from there into report.html.
+  find_file(DBD_CHART_JS chart.min.js PATHS /usr/share/javascript/chart.js REQUIRED)
 endif()
 if(DBD_BUILD_TESTS)
   find_package(GTest CONFIG REQUIRED)

@@ -58,6 +58,41 @@ void AddJsonFlag(CLI::App* command, bool* json, const std::string& what) {
   command->add_flag("--json", *json, "Print " + what + " on standard output");
 }
 
+void AddUncertaintyFlags(CLI::App* command, PlanArguments* plan) {
+  CLI::Option* draws =
+      command
+          ->add_option(
+              "--draws", plan->draws,
+              "Drive the best candidates on this many random draws of what is uncertain of "
+              "the terrain; default 1 = the terrain as it is given")
+          ->check(CLI::Range(1, 10000))
+          ->option_text("N");
+  command
+      ->add_option("--min-success", plan->min_success,
+                   "Least share of the draws on which a route must reach the goal, default 0")
+      ->needs(draws)
+      ->check(CLI::Range(0.0, 1.0))
+      ->option_text("SHARE");
+  command
+      ->add_option("--soil-spread", plan->soil_spread,
+                   "Factor on the materials' spread of strength, default 1")
+      ->needs(draws)
+      ->check(CLI::Range(0.0, 10.0))
+      ->option_text("F");
+  command
+      ->add_option("--elevation-error-m", plan->elevation_error_m,
+                   "Standard deviation of the heights, default 0")
+      ->needs(draws)
+      ->check(CLI::Range(0.0, 100.0))
+      ->option_text("L");
+  command
+      ->add_option("--elevation-correlation-m", plan->elevation_correlation_m,
+                   "Distance over which height errors are alike, default 20")
+      ->needs(draws)
+      ->check(CLI::Range(0.1, 1e5))
+      ->option_text("L");
+}
+
 void DeclarePlan(CLI::App* app, Commands* commands) {
   PlanArguments* plan = &commands->plan;
   CLI::App* command = AddCommand(
@@ -91,6 +126,7 @@ void DeclarePlan(CLI::App* app, Commands* commands) {
       ->option_text("V");
   command->add_option("--seed", plan->seed, "Of the sampling, default 1")->option_text("N");
   AddThreadsFlag(command, &plan->threads);
+  AddUncertaintyFlags(command, plan);
   command
       ->add_option("--deadline", plan->deadline_s,
                    "Answer with the best so far when this many seconds have passed; default: none")

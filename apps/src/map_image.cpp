@@ -183,16 +183,17 @@ void DrawMap(cairo_t* context, const MapView& view, const MapContent& content,
 
 }  // namespace
 
-void WriteMapImage(const std::filesystem::path& file, const Terrain& terrain,
-                   const MapContent& content) {
+MapLayout WriteMapImage(const std::filesystem::path& file, const Terrain& terrain,
+                        const MapContent& content) {
   const MapView view = FitView(terrain.heights(), PointsOfInterest(content), kMapImageWidth);
   ReliefImage relief = RenderRelief(terrain, view, content.obstacle_height);
   const Legend legend = MakeLegend(terrain, content, relief);
   const double legend_height =
       legend.Height(MakeContext(MakeSurface(1, 1)).get(), view.width - kScaleWidth - 3 * kPadding);
   const double footer = std::max(kLeastFooter, std::ceil(legend_height + 20));
-  const Surface surface =
-      MakeSurface(view.width, kMapTitleHeight + view.height + static_cast<int>(footer));
+  const MapLayout layout{view, kMapTitleHeight, view.width,
+                         kMapTitleHeight + view.height + static_cast<int>(footer)};
+  const Surface surface = MakeSurface(layout.width, layout.height);
   const Context context = MakeContext(surface);
   SetColor(context.get(), kPaperColor);
   cairo_paint(context.get());
@@ -203,6 +204,7 @@ void WriteMapImage(const std::filesystem::path& file, const Terrain& terrain,
   if (cairo_surface_write_to_png(surface.get(), file.c_str()) != CAIRO_STATUS_SUCCESS) {
     throw InputError(file.string() + ": cannot be written");
   }
+  return layout;
 }
 
 }  // namespace dbd

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "map_view.h"
+
 namespace dbd {
 
 /// A line on the map, in W.
@@ -34,9 +36,17 @@ inline constexpr int kMapImageWidth = 1400;  // [pixels]
 /// Height of the strip above the map that holds the title [pixels].
 inline constexpr int kMapTitleHeight = 76;
 
+/// Where the ground is in a picture.
+struct MapLayout {
+  MapView view;
+  int top = 0;  ///< rows above the ground's first [pixels]
+  int width = 0;
+  int height = 0;
+};
+
 /// Draws shaded relief, the lines, their ends, a legend with counts, a scale bar and a north arrow
 /// into a PNG file. Throws InputError when the file cannot be written.
-void WriteMapImage(const std::filesystem::path& file, const Terrain& terrain,
-                   const MapContent& content);
+MapLayout WriteMapImage(const std::filesystem::path& file, const Terrain& terrain,
+                        const MapContent& content);
 
 }  // namespace dbd

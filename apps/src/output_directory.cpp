@@ -21,8 +21,9 @@ fs::path Normalized(const std::string& directory) {
 }  // namespace
 
 std::vector<std::string> OutputDirectory::AnswerFiles() {
-  return {"plan.json",     "simulate.json", "map.png",   "candidates.geojson", "trace.csv",
-          "route.geojson", "route.gpx",     "route.kml", "route.gpkg",         "route.csv"};
+  return {"plan.json",          "report.html", "simulate.json", "map.png",
+          "candidates.geojson", "trace.csv",   "route.geojson", "route.gpx",
+          "route.kml",          "route.gpkg",  "route.csv"};
 }
 
 OutputDirectory::OutputDirectory(const std::string& directory, const std::string& flag,

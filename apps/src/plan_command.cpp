@@ -22,6 +22,10 @@ namespace {
 PlanOptions MakeOptions(const PlanArguments& arguments) {
   PlanOptions options;
   options.sampling.candidates = arguments.candidates;
+  options.uncertainty.draws = arguments.draws;
+  options.uncertainty.min_success = arguments.min_success;
+  options.uncertainty.spread = {arguments.soil_spread, arguments.elevation_error_m,
+                                arguments.elevation_correlation_m};
   options.learning.rounds = arguments.rounds;
   options.seed = arguments.seed;
   options.max_speed = KilometersPerHour(arguments.max_speed_kmh);

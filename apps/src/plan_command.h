@@ -20,6 +20,11 @@ struct PlanArguments {
   double max_speed_kmh = 28.8;
   std::uint64_t seed = 1;
   int threads = 0;
+  int draws = 1;
+  double min_success = 0;
+  double soil_spread = 1;
+  double elevation_error_m = 0;
+  double elevation_correlation_m = 20;
   double deadline_s = 0;  ///< of the whole command, without writing; 0: none
   std::string engine = "lanes";
   std::string out;

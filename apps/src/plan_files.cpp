@@ -3,6 +3,7 @@
 #include "console.h"
 #include "geojson.h"
 #include "map_image.h"
+#include "report_page.h"
 #include "route_files.h"
 #include "summary.h"
 #include "text.h"
@@ -35,7 +36,9 @@ MapContent PlanMapContent(const PlanRecord& record) {
 void WritePlanFiles(const PlanRecord& record, OutputDirectory* output) {
   const LocalFrame& frame = record.terrain.frame();
   WriteTextFile(output->Stage("plan.json"), PlanJson(record));
-  WriteMapImage(output->Stage("map.png"), record.terrain, PlanMapContent(record));
+  const std::filesystem::path image = output->Stage("map.png");
+  const MapLayout layout = WriteMapImage(image, record.terrain, PlanMapContent(record));
+  WriteTextFile(output->Stage("report.html"), ReportPage(record, image, layout));
   if (frame.has_crs()) {
     WriteTextFile(output->Stage("candidates.geojson"), CandidatesGeoJson(record.plan, frame));
   } else {

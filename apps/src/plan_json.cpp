@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "json_parts.h"
+#include "plan_basis.h"
 #include "text.h"
 
 namespace dbd {
@@ -47,6 +48,14 @@ ordered_json TerrainJson(const TerrainArguments& files) {
   return terrain;
 }
 
+ordered_json UncertaintyJson(const UncertaintyOptions& uncertainty) {
+  return {{"draws", uncertainty.draws},
+          {"min_success", uncertainty.min_success},
+          {"soil_spread", uncertainty.spread.soil},
+          {"elevation_error_m", uncertainty.spread.elevation_error},
+          {"elevation_correlation_m", uncertainty.spread.elevation_correlation}};
+}
+
 ordered_json RequestJson(const PlanRecord& record) {
   const LocalFrame& frame = record.terrain.frame();
   const PlanRequest& request = record.request;
@@ -58,6 +67,8 @@ ordered_json RequestJson(const PlanRecord& record) {
           {"candidates", record.options.sampling.candidates},
           {"deadline_s", record.arguments.deadline_s > 0 ? ordered_json(record.arguments.deadline_s)
                                                          : ordered_json(nullptr)},
+          {"rounds", record.options.learning.rounds},
+          {"uncertainty", UncertaintyJson(record.options.uncertainty)},
           {"max_speed_kmh", Rounded(record.options.max_speed * 3.6, 6)}};
 }
 
@@ -67,6 +78,21 @@ ordered_json ScoreJson(const Score& score) {
   return {{"feasible", score.feasible},
           {"total", score.feasible ? ordered_json(Rounded(score.total, 3)) : ordered_json(nullptr)},
           {"terms", std::move(terms)}};
+}
+
+ordered_json SuccessJson(const SuccessEstimate& estimate, const LocalFrame& frame) {
+  ordered_json success = {{"draws", estimate.draws},
+                          {"reached", estimate.reached},
+                          {"share", Rounded(estimate.share(), 4)},
+                          {"interval_95", {Rounded(estimate.low, 4), Rounded(estimate.high, 4)}},
+                          {"mean_time", Rounded(estimate.mean_time, 3)},
+                          {"cvar_10_time", Rounded(estimate.cvar_time, 3)},
+                          {"mean_score", Rounded(estimate.mean_score, 3)}};
+  if (!estimate.failure.empty()) {
+    success["failure"] = estimate.failure;
+    success["failed_at"] = PlaceJson(frame, estimate.failed_at);
+  }
+  return success;
 }
 
 ordered_json SpeedCapsJson(const Candidate& candidate) {
@@ -91,6 +117,9 @@ ordered_json CandidatesJson(const PlanRecord& record) {
     }
     candidate.update(RolloutJson(plan.rollouts[i], record.terrain.frame()));
     candidate["score"] = ScoreJson(plan.scores[i]);
+    if (!plan.success.empty() && plan.success[i]) {
+      candidate["success"] = SuccessJson(*plan.success[i], record.terrain.frame());
+    }
     candidates.push_back(std::move(candidate));
   }
   return candidates;
@@ -107,6 +136,16 @@ ordered_json RoundsJson(const Plan& plan) {
                                                         : ordered_json(nullptr)}});
   }
   return rounds;
+}
+
+ordered_json RestsOnJson(const PlanRecord& record) {
+  ordered_json items = ordered_json::array();
+  for (const BasisItem& item : FilesBehind(record)) {
+    ordered_json json = {{"what", item.what}, {"name", item.name}};
+    if (!item.sha256.empty()) json["sha256"] = item.sha256;
+    items.push_back(std::move(json));
+  }
+  return items;
 }
 
 ordered_json TimingJson(const Plan& plan) {
@@ -139,6 +178,7 @@ std::string PlanJson(const PlanRecord& record) {
   document["engine"] = record.options.engine == RolloutEngine::kReference ? "reference" : "lanes";
   document["digest"] = Format("%016llx", static_cast<unsigned long long>(plan.digest));
   document["timing_s"] = TimingJson(plan);
+  document["rests_on"] = RestsOnJson(record);
   document["versions"] = VersionsJson();
   return JsonText(document);
 }

@@ -37,7 +37,8 @@ double WallTime(const Plan& plan, Predicate counts) {
 }
 
 std::string SimulationSpeed(const Plan& plan) {
-  const double driving = WallTime(plan, [](const std::string& s) { return s == "rollouts"; });
+  const double driving =
+      WallTime(plan, [](const std::string& s) { return s == "rollouts" || s == "draws"; });
   std::string text = Format("%.0f s of driving", plan.simulated_time);
   if (driving > 0) {
     text += Format(" in %.2f s (%.0f x real time)", driving, plan.simulated_time / driving);
@@ -79,6 +80,19 @@ std::string OutcomeCounts(const std::vector<Rollout>& rollouts) {
   return text;
 }
 
+std::string SuccessOfRoute(const Plan& plan) {
+  if (!plan.chosen || plan.success.empty()) return "";
+  const std::optional<SuccessEstimate>& success =
+      plan.success[static_cast<std::size_t>(*plan.chosen)];
+  if (!success) return "";
+  return Format(
+      "on %d of %d draws of the terrain: P(go) %.0f %% (95 %% interval %.0f to %.0f %%), "
+      "mean %s, slowest tenth %s",
+      success->reached, success->draws, 100 * success->share(), 100 * success->low,
+      100 * success->high, FormatDuration(success->mean_time).c_str(),
+      FormatDuration(success->cvar_time).c_str());
+}
+
 std::string RoundGains(const std::vector<PlanRound>& rounds) {
   std::string text;
   for (const PlanRound& round : rounds) {
@@ -116,6 +130,9 @@ std::string PlanSummary(const PlanRecord& record, const OutputDirectory& output)
     text += Row("drive", DriveTotals(*chosen));
     if (const std::string limit = TightestLimit(*chosen, frame); !limit.empty()) {
       text += Row("tightest", limit);
+    }
+    if (const std::string success = SuccessOfRoute(plan); !success.empty()) {
+      text += Row("reached", success);
     }
   } else {
     text = "No safe route: " + Words(plan.reason) + "\n";

@@ -55,6 +55,12 @@ std::uint64_t DigestOf(const Plan& plan) {
   }
   for (const Rollout& rollout : plan.rollouts) AddRollout(rollout, hash);
   for (const Score& score : plan.scores) hash.Add(score.total);
+  for (const std::optional<SuccessEstimate>& estimate : plan.success) {
+    if (!estimate) continue;
+    hash.Add(static_cast<std::uint64_t>(estimate->draws));
+    hash.Add(static_cast<std::uint64_t>(estimate->reached));
+    hash.Add(estimate->mean_score);
+  }
   return hash.value();
 }
 

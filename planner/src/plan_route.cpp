@@ -4,47 +4,22 @@
 #include <dbd/planner/plan_route.h>
 #include <dbd/planner/route_choice.h>
 #include <dbd/planner/scoring.h>
+#include <dbd/planner/success.h>
 #include <dbd/planner/trafficability.h>
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
+#include <iterator>
 #include <memory>
 
 #include "candidate_random.h"
 #include "candidate_variants.h"
 #include "deadline.h"
 #include "digest.h"
+#include "plan_budget.h"
+#include "stage_clock.h"
 
 namespace dbd {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double SecondsSince(Clock::time_point begin) {
-  return std::chrono::duration<double>(Clock::now() - begin).count();
-}
-
-/// Seconds since the last call, added up under the name of the stage that they were spent in.
-class StageClock {
- public:
-  explicit StageClock(Plan& plan) : plan_(plan), last_(Clock::now()) {}
-
-  void Finish(const std::string& stage) {
-    const auto entry = std::find_if(plan_.timing.begin(), plan_.timing.end(),
-                                    [&](const auto& e) { return e.first == stage; });
-    if (entry != plan_.timing.end()) {
-      entry->second += SecondsSince(last_);
-    } else {
-      plan_.timing.emplace_back(stage, SecondsSince(last_));
-    }
-    last_ = Clock::now();
-  }
-
- private:
-  Plan& plan_;
-  Clock::time_point last_;
-};
 
 void AnswerWithDiagnosis(const Terrain& terrain, const NoRouteDiagnosis& diagnosis, Plan& plan) {
   plan.status = PlanStatus::kNoGo;
@@ -53,25 +28,12 @@ void AnswerWithDiagnosis(const Terrain& terrain, const NoRouteDiagnosis& diagnos
   plan.blocked_at = Eigen::Vector3d(x, y, terrain.Height(x, y));
 }
 
-/// How many candidates each part of a plan may drive.
-struct Budget {
-  explicit Budget(const PlanOptions& options) : all(options.sampling.candidates) {
-    const LearningOptions& learning = options.learning;
-    polish = static_cast<int>(learning.polish_share * all);
-    first = learning.rounds == 1 ? all - polish
-                                 : static_cast<int>(std::ceil(learning.first_share * all));
-    first = std::clamp(first, std::min(all, kFewestToLearnFrom), all);
-    polish = std::min(polish, all - first);
-    const int learning_rounds = std::max(1, learning.rounds - 1);
-    per_round = (all - first - polish + learning_rounds - 1) / learning_rounds;
-  }
-
-  static constexpr int kFewestToLearnFrom = 8;
-  int all;
-  int first = 0;
-  int per_round = 0;
-  int polish = 0;
-};
+/// What is asked of the search after the first round, which looks for few routes only.
+SamplingOptions Coarser(SamplingOptions sampling) {
+  sampling.roadmap_nodes = std::max(10, sampling.roadmap_nodes / 2);
+  sampling.planner_iterations = std::max(1, sampling.planner_iterations / 2);
+  return sampling;
+}
 
 constexpr int kPolishRounds = 2;
 constexpr double kStable = 0.005;  // a round that gains a smaller share than this gains nothing
@@ -101,7 +63,8 @@ class Planning {
       return;
     }
     LearnAndPolish(layer, plan, clock);
-    ChooseRoute(plan);
+    DriveOnDraws(plan, clock);
+    ChooseRoute(plan, options_.uncertainty);
     clock.Finish("choice");
   }
 
@@ -137,11 +100,32 @@ class Planning {
     }
   }
 
+  /// Nothing when nothing is drawn or nobody arrived.
+  void DriveOnDraws(Plan& plan, StageClock& clock) const {
+    const UncertaintyOptions& uncertainty = options_.uncertainty;
+    const auto feasible = std::count_if(plan.scores.begin(), plan.scores.end(),
+                                        [](const Score& score) { return score.feasible; });
+    if (uncertainty.draws <= 1 || feasible == 0) return;
+    const int total =
+        uncertainty.draws * std::min(uncertainty.survivors, static_cast<int>(feasible));
+    int done = 0;
+    double simulated_time = 0;
+    const auto on_done = [&](const Rollout& rollout) {
+      simulated_time += rollout.time;
+      if (progress_) progress_("draws", ++done, total);
+    };
+    plan.success =
+        EstimateSuccess(terrain_, vehicle_, plan.candidates, plan.scores, options_, on_done, stop_);
+    plan.simulated_time += simulated_time;
+    clock.Finish("draws");
+  }
+
   std::optional<NoRouteDiagnosis> SampleAndDrive(const char* name, const TrafficabilityLayer& layer,
                                                  int count, Plan& plan, StageClock& clock) {
     PlanOptions options = options_;
     options.sampling.candidates = count;
     options.seed = RoundSeed(plan);
+    if (!plan.rounds.empty()) options.sampling = Coarser(options.sampling);
     CandidateSet sampled = SampleCandidates(terrain_, vehicle_, layer, request_, options, progress_,
                                             stop_, plan.candidates);
     clock.Finish("candidates");
@@ -188,7 +172,7 @@ class Planning {
   std::stop_token stop_;
   Budget budget_;
   int driven_ = 0;
-  Clock::time_point begin_ = Clock::now();
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace
@@ -202,7 +186,8 @@ Plan PlanRoute(std::shared_ptr<const Terrain> terrain, std::shared_ptr<const Veh
   try {
     Planning(*terrain, *vehicle, request, options, progress, deadline.token()).Run(plan);
   } catch (const StopRequested&) {
-    ChooseRoute(plan, deadline.passed() ? PlanStatus::kDeadline : PlanStatus::kCancelled);
+    ChooseRoute(plan, options.uncertainty,
+                deadline.passed() ? PlanStatus::kDeadline : PlanStatus::kCancelled);
   }
   plan.digest = DigestOf(plan);
   return plan;

@@ -33,6 +33,12 @@ void PlanOptions::Validate() const {
           learning.first_share, "between 0 (exclusive) and 1");
   Require(learning.polish_share >= 0 && learning.polish_share < 1, "polish_share",
           learning.polish_share, "between 0 and 1 (exclusive)");
+  Require(uncertainty.draws >= 1 && uncertainty.draws <= 10000, "draws", uncertainty.draws,
+          "between 1 and 10000");
+  Require(uncertainty.min_success >= 0 && uncertainty.min_success <= 1, "min_success",
+          uncertainty.min_success, "between 0 and 1");
+  Require(uncertainty.survivors >= 1, "survivors", uncertainty.survivors, "at least 1");
+  uncertainty.spread.Validate();
   Require(deadline >= 0, "deadline", deadline, "at least 0");
   Require(goal_tolerance > 0, "goal_tolerance", goal_tolerance, "greater than 0");
 }

@@ -40,6 +40,12 @@ MaterialMap::MaterialMap(MaterialTable table, const HeightMap::Grid& grid,
   for (std::size_t i = 0; i < materials.size(); ++i) soils_[i] = materials[i].soil;
 }
 
+MaterialMap MaterialMap::WithMaterials(std::vector<Material> materials) const {
+  DBD_ASSERT(materials.size() == table_.materials().size());
+  if (is_uniform()) return MaterialMap(materials.front());
+  return MaterialMap(MaterialTable(table_.name(), std::move(materials)), grid_, indices_);
+}
+
 const Material* MaterialMap::At(double x, double y) const {
   if (is_uniform()) return &table_.materials().front();
   const std::uint8_t index = IndexAt(x, y);

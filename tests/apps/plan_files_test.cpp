@@ -53,17 +53,18 @@ std::vector<std::string> NamesIn(const std::string& directory) {
 TEST(PlanFiles, ARouteHasAllFiles) {
   const TemporaryDirectory scratch;
   Write(MakePlan(kUtm33), scratch.File("out"));
-  EXPECT_THAT(
-      NamesIn(scratch.File("out")),
-      testing::UnorderedElementsAre("plan.json", "map.png", "candidates.geojson", "trace.csv",
-                                    "route.geojson", "route.gpx", "route.kml", "route.gpkg"));
+  EXPECT_THAT(NamesIn(scratch.File("out")),
+              testing::UnorderedElementsAre("plan.json", "map.png", "report.html",
+                                            "candidates.geojson", "trace.csv", "route.geojson",
+                                            "route.gpx", "route.kml", "route.gpkg"));
 }
 
 TEST(PlanFiles, ANoGoHasNoRouteFiles) {
   const TemporaryDirectory scratch;
   Write(MakeNoGoPlan(kUtm33), scratch.File("out"));
-  EXPECT_THAT(NamesIn(scratch.File("out")),
-              testing::UnorderedElementsAre("plan.json", "map.png", "candidates.geojson"));
+  EXPECT_THAT(
+      NamesIn(scratch.File("out")),
+      testing::UnorderedElementsAre("plan.json", "map.png", "report.html", "candidates.geojson"));
   const json plan = ReadJson(scratch.File("out/plan.json"));
   EXPECT_EQ(plan["status"], "no_go");
   EXPECT_EQ(plan["route"], nullptr);
@@ -75,7 +76,8 @@ TEST(PlanFiles, WithoutCoordinateSystemTheRouteIsCsv) {
   const TemporaryDirectory scratch;
   Write(MakePlan(""), scratch.File("out"));
   EXPECT_THAT(NamesIn(scratch.File("out")),
-              testing::UnorderedElementsAre("plan.json", "map.png", "trace.csv", "route.csv"));
+              testing::UnorderedElementsAre("plan.json", "map.png", "report.html", "trace.csv",
+                                            "route.csv"));
 }
 
 TEST(PlanFiles, RouteGeoJsonIsALineAtTheRightPlaceOnEarth) {

@@ -107,7 +107,8 @@ TEST_F(MaterialTableFile, RefusesWhatIsWrong) {
 }
 
 TEST(MaterialTable, PlateConstantsGiveTheConeIndex) {
-  const Material& sand = MaterialTable::Load("plate-sinkage").GetName("lete-sand");
+  const MaterialTable table = MaterialTable::Load("plate-sinkage");
+  const Material& sand = table.GetName("lete-sand");
   EXPECT_EQ(sand.soil.traction_model, TractionModel::kBekker);
   EXPECT_DOUBLE_EQ(sand.soil.plate.kphi, 5301e3);
   EXPECT_NEAR(sand.soil.plate.friction_angle, 0.542797, 1e-6);  // 31.1 deg

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <dbd/core/path.h>
+#include <dbd/planner/terrain_spread.h>
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -36,6 +37,14 @@ struct ScoringOptions {
   double risk_weight = 30.0;    ///< [s] at no margin left
 };
 
+/// What is asked of a route although the ground is not known exactly.
+struct UncertaintyOptions {
+  int draws = 1;           ///< of the terrain, driven by the best candidates; 1 = as it is given
+  double min_success = 0;  ///< share of the draws on which a route must reach the goal
+  int survivors = 6;       ///< most candidates that are driven on the draws
+  TerrainSpread spread;
+};
+
 /// What drives the candidates.
 enum class RolloutEngine {
   kLanes,      ///< many vehicles at once in single precision (`SimulationLanes`)
@@ -45,6 +54,7 @@ enum class RolloutEngine {
 struct PlanOptions {
   SamplingOptions sampling;
   LearningOptions learning;
+  UncertaintyOptions uncertainty;
   ScoringOptions scoring;
   std::uint64_t seed = 1;
   double max_speed = 8.0;  ///< target speed on open ground [m/s]
@@ -156,6 +166,21 @@ struct Score {
 enum class PlanStatus { kRoute, kNoGo, kDeadline, kCancelled };
 const char* PlanStatusName(PlanStatus status);
 
+/// How a candidate did on drawn terrains.
+struct SuccessEstimate {
+  int draws = 0;  ///< that it was driven on
+  int reached = 0;
+  double low = 0;  ///< 95 % interval of the probability to reach the goal (Wilson 1927)
+  double high = 1;
+  double mean_time = 0;   ///< of the drives that reached it [s]
+  double cvar_time = 0;   ///< mean of their slowest tenth [s]
+  double mean_score = 0;  ///< of the drives that reached it [s]
+  std::string failure;    ///< why it failed on the first draw on which it did; empty: on none
+  Eigen::Vector3d failed_at = Eigen::Vector3d::Zero();  ///< where, in W
+
+  double share() const { return draws > 0 ? static_cast<double>(reached) / draws : 0; }
+};
+
 /// What one round of sampling and driving gained.
 struct PlanRound {
   std::string name;    ///< "sample", "learn", "polish"
@@ -174,6 +199,8 @@ struct Plan {
   std::vector<Rollout> rollouts;
   std::vector<Score> scores;
   std::vector<PlanRound> rounds;
+  /// By candidate; nothing for those that were not driven on draws.
+  std::vector<std::optional<SuccessEstimate>> success;
   std::vector<std::pair<std::string, double>> timing;  ///< seconds per stage, in order
   double simulated_time = 0;                           ///< of all rollouts [s]
   /// Wall time until the first drive reached the goal [s]; nothing when none did.

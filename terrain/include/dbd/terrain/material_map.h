@@ -68,6 +68,9 @@ class MaterialMap {
   static constexpr std::uint8_t kNone = 255;
   MaterialMap(MaterialTable table, const HeightMap::Grid& grid, std::vector<std::uint8_t> indices);
 
+  /// The same classes at the same places with other properties: as many materials as in the table.
+  MaterialMap WithMaterials(std::vector<Material> materials) const;
+
   /// Material at a place; null outside the class raster or where the class is unknown.
   const Material* At(double x, double y) const;
 

@@ -80,6 +80,7 @@ class Terrain final : public Ground {
   /// Triangles that the wheels touch instead of `heights()`, which then is a raster of them for
   /// planning and pictures; null when there are none.
   const TinSurface* tin() const { return tin_.get(); }
+  const std::shared_ptr<const TinSurface>& shared_tin() const { return tin_; }
   void set_tin(std::shared_ptr<const TinSurface> tin) { tin_ = std::move(tin); }
 
   /// What whoever drives here should know of how it was loaded, one sentence each.
