@@ -140,15 +140,16 @@ class Batch {
   PlanInputs Prepare(const RequestLine& line) {
     if (!line.request) throw InputError(line.error);
     const BatchRequest& request = *line.request;
-    TerrainFiles files = MakeTerrainFiles(request.terrain);
-    const bool map = request.coordinates == Coordinates::kMap;
+    TerrainFiles files = MakeTerrainFiles(request.plan.terrain);
+    const bool map = request.plan.coordinates == Coordinates::kMap;
     (map ? files.places : files.wgs84_places) = {request.start.xy, request.goal.xy};
     PlanInputs inputs;
     inputs.terrain = terrains_.Get(files);
-    inputs.vehicle = LoadVehicle(request.vehicle);
-    inputs.options = request.options;
+    inputs.vehicle = LoadVehicle(request.plan.vehicle);
+    inputs.options = MakePlanOptions(request.plan);
+    if (request.plan.deadline_s > 0) inputs.options.deadline = request.plan.deadline_s;
     const auto place = [&](const char* name, const TypedPlace& typed) {
-      return LocatePlace(name, typed, request.coordinates, *inputs.terrain);
+      return LocatePlace(name, typed, request.plan.coordinates, *inputs.terrain);
     };
     const LocalPlace start = place("start", request.start), goal = place("goal", request.goal);
     inputs.request = {start.xy, start.yaw, goal.xy, goal.yaw};

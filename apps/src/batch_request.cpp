@@ -73,18 +73,30 @@ TerrainArguments ReadTerrain(const JsonObject& line) {
   return terrain;
 }
 
-PlanOptions ReadOptions(const JsonObject& line) {
-  PlanOptions options;
-  if (line.Has("candidates")) options.sampling.candidates = line.Integer("candidates", 1, 100000);
-  if (line.Has("seed")) {
-    options.seed = static_cast<std::uint64_t>(line.Number("seed", 0, 9007199254740992.0));
-  }
-  options.max_speed = KilometersPerHour(line.Number("max_speed_kmh", 0.1, 500, 28.8));
-  if (line.Has("rounds")) options.learning.rounds = line.Integer("rounds", 1, 100);
-  if (line.Has("deadline_s")) options.deadline = line.Number("deadline_s", 1e-3, 1e9);
-  const std::string engine = Choice(line, "engine", "lanes", {"lanes", "reference"});
-  options.engine = engine == "reference" ? RolloutEngine::kReference : RolloutEngine::kLanes;
-  return options;
+void ReadUncertainty(const JsonObject& line, PlanArguments& plan) {
+  if (line.Has("draws")) plan.draws = line.Integer("draws", 1, 10000);
+  plan.min_success = line.Number("min_success", 0, 1, plan.min_success);
+  plan.soil_spread = line.Number("soil_spread", 0, 10, plan.soil_spread);
+  plan.elevation_error_m = line.Number("elevation_error_m", 0, 100, plan.elevation_error_m);
+  plan.elevation_correlation_m =
+      line.Number("elevation_correlation_m", 0.1, 1e5, plan.elevation_correlation_m);
+}
+
+PlanArguments ReadPlan(const JsonObject& line) {
+  constexpr double kLargestSeed = 9007199254740992.0;  // that a JSON number holds exactly
+  PlanArguments plan;
+  plan.terrain = ReadTerrain(line);
+  plan.vehicle = line.Text("vehicle");
+  const std::string coordinates = Choice(line, "coords", "map", {"map", "wgs84"});
+  plan.coordinates = coordinates == "wgs84" ? Coordinates::kWgs84 : Coordinates::kMap;
+  if (line.Has("candidates")) plan.candidates = line.Integer("candidates", 1, 100000);
+  if (line.Has("rounds")) plan.rounds = line.Integer("rounds", 1, 100);
+  plan.seed = static_cast<std::uint64_t>(line.Number("seed", 0, kLargestSeed, 1));
+  plan.max_speed_kmh = line.Number("max_speed_kmh", 0.1, 500, plan.max_speed_kmh);
+  plan.engine = Choice(line, "engine", "lanes", {"lanes", "reference"});
+  if (line.Has("deadline_s")) plan.deadline_s = line.Number("deadline_s", 1e-3, 1e9);
+  ReadUncertainty(line, plan);
+  return plan;
 }
 
 }  // namespace
@@ -97,14 +109,9 @@ BatchRequest ParseBatchRequest(const std::string& line, const std::string& origi
   const JsonObject object = JsonObject::ParseOptionalSchema(line, origin, kSchema);
   BatchRequest request;
   request.id = object.Text("id", "");
-  request.terrain = ReadTerrain(object);
-  request.vehicle = object.Text("vehicle");
+  request.plan = ReadPlan(object);
   request.start = Place(object, "start");
   request.goal = Place(object, "goal");
-  request.coordinates = Choice(object, "coords", "map", {"map", "wgs84"}) == "wgs84"
-                            ? Coordinates::kWgs84
-                            : Coordinates::kMap;
-  request.options = ReadOptions(object);
   if (object.Has("priority")) request.priority = object.Integer("priority", -1000, 1000);
   object.RefuseUnknownKeys();
   return request;

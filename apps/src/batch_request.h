@@ -1,23 +1,18 @@
 #pragma once
 
-#include <dbd/planner/plan_types.h>
-
 #include <string>
 
 #include "places.h"
-#include "terrain_options.h"
+#include "plan_command.h"
 
 namespace dbd {
 
 /// One line of a request file (schema dbd.request/1): what `dbd plan` is asked with flags.
 struct BatchRequest {
   std::string id;
-  TerrainArguments terrain;
-  std::string vehicle;
+  PlanArguments plan;  ///< but for its ends and its output
   TypedPlace start;
   TypedPlace goal;
-  Coordinates coordinates = Coordinates::kMap;
-  PlanOptions options;
   int priority = 0;
 };
 

@@ -19,23 +19,6 @@
 namespace dbd {
 namespace {
 
-PlanOptions MakeOptions(const PlanArguments& arguments) {
-  PlanOptions options;
-  options.sampling.candidates = arguments.candidates;
-  options.uncertainty.draws = arguments.draws;
-  options.uncertainty.min_success = arguments.min_success;
-  options.uncertainty.spread = {arguments.soil_spread, arguments.elevation_error_m,
-                                arguments.elevation_correlation_m};
-  options.learning.rounds = arguments.rounds;
-  options.seed = arguments.seed;
-  options.max_speed = KilometersPerHour(arguments.max_speed_kmh);
-  options.threads = arguments.threads;
-  options.engine =
-      arguments.engine == "reference" ? RolloutEngine::kReference : RolloutEngine::kLanes;
-  options.Validate();
-  return options;
-}
-
 PlanRequest MakeRequest(const PlanArguments& arguments, const TypedPlace& typed_start,
                         const TypedPlace& typed_goal, const Terrain& terrain) {
   const LocalPlace start = LocatePlace("--start", typed_start, arguments.coordinates, terrain);
@@ -69,10 +52,27 @@ double TimeLeft(std::chrono::steady_clock::time_point begin, double deadline) {
 
 }  // namespace
 
+PlanOptions MakePlanOptions(const PlanArguments& arguments) {
+  PlanOptions options;
+  options.sampling.candidates = arguments.candidates;
+  options.uncertainty.draws = arguments.draws;
+  options.uncertainty.min_success = arguments.min_success;
+  options.uncertainty.spread = {arguments.soil_spread, arguments.elevation_error_m,
+                                arguments.elevation_correlation_m};
+  options.learning.rounds = arguments.rounds;
+  options.seed = arguments.seed;
+  options.max_speed = KilometersPerHour(arguments.max_speed_kmh);
+  options.threads = arguments.threads;
+  options.engine =
+      arguments.engine == "reference" ? RolloutEngine::kReference : RolloutEngine::kLanes;
+  options.Validate();
+  return options;
+}
+
 int RunPlan(const PlanArguments& arguments) {
   const auto begin = std::chrono::steady_clock::now();
   Interrupt interrupt;
-  PlanOptions options = MakeOptions(arguments);
+  PlanOptions options = MakePlanOptions(arguments);
   const TypedPlace start = ParsePlace("--start", arguments.start);
   const TypedPlace goal = ParsePlace("--goal", arguments.goal);
   OutputDirectory output(arguments.out);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <dbd/planner/plan_types.h>
+
 #include <cstdint>
 #include <string>
 
@@ -30,6 +32,9 @@ struct PlanArguments {
   std::string out;
   bool json = false;
 };
+
+/// Throws InputError that names the option, its value and the rule.
+PlanOptions MakePlanOptions(const PlanArguments& arguments);
 
 /// Plans, writes all results or none, and prints the answer. Returns the exit code.
 /// Throws InputError.
