@@ -52,6 +52,7 @@ struct Judged {
 struct QueryResult {
   std::string site;
   double distance = 0;
+  Eigen::Vector2d start, goal;              // map coordinates
   Judged chosen, shortest, cheapest, best;  // the last three of the pool
   double plan_time = 0;
   double sampling_time = 0;  // of the plan: what a kinematic planner would take
@@ -134,6 +135,8 @@ QueryResult Ask(const Site& site, const std::shared_ptr<const VehicleModel>& veh
   QueryResult result;
   result.site = site.name;
   result.distance = (request.goal - request.start).norm();
+  result.start = site.terrain->frame().ToMap(request.start);
+  result.goal = site.terrain->frame().ToMap(request.goal);
   const auto begin = Clock::now();
   const Plan plan = PlanRoute(site.terrain, vehicle, request, options);
   result.plan_time = SecondsSince(begin);
@@ -175,13 +178,19 @@ const char* Verdict(const Judged& judged) {
   return !judged.index ? "none" : !judged.reached ? "fails" : judged.holds ? "holds" : "breaks";
 }
 
+void PrintRoute(const char* name, const Judged& judged) {
+  std::printf("| %s %7.1f %-6s ", name, judged.score, Verdict(judged));
+}
+
 void PrintQuery(int number, const QueryResult& r) {
-  std::printf(
-      "%3d %-9s %4.0f m | chosen %7.1f %-6s | shortest %7.1f %-6s | cheapest %7.1f %-6s | "
-      "best %7.1f %-6s | regret %5.1f %% | %.2f s\n",
-      number, r.site.c_str(), r.distance, r.chosen.score, Verdict(r.chosen), r.shortest.score,
-      Verdict(r.shortest), r.cheapest.score, Verdict(r.cheapest), r.best.score, Verdict(r.best),
-      r.best.reached ? 100 * Regret(r) : 0, r.plan_time);
+  std::printf("%3d %-9s %4.0f m ", number, r.site.c_str(), r.distance);
+  PrintRoute("chosen", r.chosen);
+  PrintRoute("shortest", r.shortest);
+  PrintRoute("cheapest", r.cheapest);
+  PrintRoute("best", r.best);
+  if (r.best.reached && r.chosen.reached) std::printf("| regret %5.1f %% ", 100 * Regret(r));
+  std::printf("| %.2f s | %.1f,%.1f %.1f,%.1f\n", r.plan_time, r.start.x(), r.start.y(), r.goal.x(),
+              r.goal.y());
   std::fflush(stdout);
 }
 

@@ -12,6 +12,14 @@ namespace {
 // Traces this near to each other are the same route found twice [m].
 constexpr double kSameTrace = 0.01;
 
+// Routes that cost more than this times the cheapest hardly ever win: they serve where there are
+// no others.
+constexpr double kWorthwhile = 2.0;
+
+// A worthwhile variant this far off, as a share of the separation of different routes, serves
+// better than a dear route.
+constexpr double kVariant = 0.2;
+
 // Separations are means, so a coarse trace serves.
 constexpr double kTraceSpacing = 10.0;  // [m]
 
@@ -20,7 +28,14 @@ constexpr double kTraceSpacing = 10.0;  // [m]
 CandidatePool::Entry::Entry(RouteDraft route)
     : draft(std::move(route)), trace(Thin(Positions(draft.poses), kTraceSpacing)) {}
 
-void CandidatePool::Reserve(RouteDraft draft) { reserve_.emplace_back(std::move(draft)); }
+void CandidatePool::Reserve(RouteDraft draft) {
+  cheapest_ = std::min(cheapest_, draft.cost);
+  reserve_.emplace_back(std::move(draft));
+}
+
+bool CandidatePool::IsWorthwhile(const Entry& entry) const {
+  return entry.draft.cost <= kWorthwhile * cheapest_;
+}
 
 void CandidatePool::AddKnown(const std::vector<Candidate>& known) {
   for (const Candidate& candidate : known) {
@@ -28,20 +43,19 @@ void CandidatePool::AddKnown(const std::vector<Candidate>& known) {
   }
 }
 
-bool CandidatePool::Offer(RouteDraft draft) {
+bool CandidatePool::Offer(RouteDraft draft, double share) {
+  const double least = share * min_separation_;
+  cheapest_ = std::min(cheapest_, draft.cost);
   Entry entry(std::move(draft));
+  bool taken = IsWorthwhile(entry);
   for (const std::vector<Eigen::Vector2d>& trace : known_) {
-    if (Separation(entry.trace, trace) >= min_separation_) continue;
-    reserve_.push_back(std::move(entry));
-    return false;
+    taken = taken && Separation(entry.trace, trace) >= least;
   }
   for (const Entry& other : taken_) {
-    if (Separation(entry.trace, other.trace) >= min_separation_) continue;
-    reserve_.push_back(std::move(entry));
-    return false;
+    taken = taken && Separation(entry.trace, other.trace) >= least;
   }
-  taken_.push_back(std::move(entry));
-  return true;
+  (taken ? taken_ : reserve_).push_back(std::move(entry));
+  return taken;
 }
 
 void CandidatePool::CompareReserveWith(std::size_t first_taken) {
@@ -60,16 +74,24 @@ void CandidatePool::FillUp(int count) {
     for (const std::vector<Eigen::Vector2d>& trace : known_) CompareReserveWith(trace);
     CompareReserveWith(0);
   }
-  while (size() < count && !reserve_.empty()) {
-    const auto best = std::max_element(
-        reserve_.begin(), reserve_.end(),
-        [](const Entry& a, const Entry& b) { return a.separation < b.separation; });
-    if (best->separation < kSameTrace) return;
-    Entry entry = std::move(*best);
-    reserve_.erase(best);
-    taken_.push_back(std::move(entry));
-    CompareReserveWith(taken_.size() - 1);
+  for (const bool with_dear_ones : {false, true}) {
+    while (size() < count && FillUpOnce(with_dear_ones)) CompareReserveWith(taken_.size() - 1);
   }
+}
+
+bool CandidatePool::FillUpOnce(bool with_dear_ones) {
+  const double least =
+      with_dear_ones ? kSameTrace : std::max(kSameTrace, kVariant * min_separation_);
+  auto best = reserve_.end();
+  for (auto entry = reserve_.begin(); entry != reserve_.end(); ++entry) {
+    if (entry->separation < least || !(with_dear_ones || IsWorthwhile(*entry))) continue;
+    if (best == reserve_.end() || entry->separation > best->separation) best = entry;
+  }
+  if (best == reserve_.end()) return false;
+  Entry entry = std::move(*best);
+  reserve_.erase(best);
+  taken_.push_back(std::move(entry));
+  return true;
 }
 
 std::vector<RouteDraft> CandidatePool::TakeSorted() {

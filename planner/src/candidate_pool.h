@@ -29,15 +29,17 @@ class CandidatePool {
   /// Routes that are there already: others must differ from them too.
   void AddKnown(const std::vector<Candidate>& known);
 
-  /// Takes the route in when it is at least `min_separation` from every other; otherwise keeps it
-  /// in reserve. Returns whether it was taken in.
-  bool Offer(RouteDraft draft);
+  /// Takes the route in when it is worthwhile, costing at most twice as much as the cheapest so
+  /// far, and at least `share` of `min_separation` from every other; otherwise keeps it in reserve.
+  /// Returns whether it was taken in.
+  bool Offer(RouteDraft draft, double share = 1);
 
   /// Keeps a route for FillUp only.
   void Reserve(RouteDraft draft);
 
   /// Takes in routes from the reserve until there are `count`, each time the one that differs
-  /// most from those taken in; never the same trace twice. Throws StopRequested when asked to.
+  /// most from those taken in, worthwhile ones first; never the same trace twice. Throws
+  /// StopRequested when asked to.
   void FillUp(int count);
 
   int size() const { return static_cast<int>(taken_.size()); }
@@ -55,10 +57,13 @@ class CandidatePool {
     double separation = std::numeric_limits<double>::infinity();
   };
 
+  bool IsWorthwhile(const Entry& entry) const;
+  bool FillUpOnce(bool with_dear_ones);
   void CompareReserveWith(std::size_t first_taken);
   void CompareReserveWith(const std::vector<Eigen::Vector2d>& trace);
 
   double min_separation_;
+  double cheapest_ = std::numeric_limits<double>::infinity();
   std::stop_token stop_;
   std::vector<std::vector<Eigen::Vector2d>> known_;  // traces
   std::vector<Entry> taken_;

@@ -19,11 +19,14 @@
 
 #include "candidate_guides.h"
 #include "candidate_random.h"
+#include "taut_routes.h"
 
 namespace dbd {
 namespace {
 
 constexpr const char* kRoadmapName = "roadmap";
+constexpr int kTautRoutes = 2;
+constexpr double kTautSeparation = 0.2;  // as a share of the usual
 constexpr int kFreeHeadings = 8;
 constexpr int kRoadmapRounds = 3;  // each with twice the nodes of the one before
 constexpr int kWaves = 4;
@@ -90,7 +93,16 @@ std::optional<NoRouteDiagnosis> CandidateSearch::Run(CandidatePool* pool,
   const int wanted = options_.sampling.candidates;
   for (int wave = 0; wave < kWaves && pool->size() < wanted; ++wave) {
     const int before = pool->size();
-    OfferAll(Generate(NextWave(wave, wanted - pool->size())), pool);
+    std::vector<RouteDraft> drafts = Generate(NextWave(wave, wanted - pool->size()));
+    std::vector<RouteDraft> taut;
+    if (wave == 0) {
+      taut =
+          TautRoutes(layer_, turning_radius_, request_, drafts, std::min(kTautRoutes, wanted / 8),
+                     DeriveSeed(options_.seed, streams_used_++));
+      ThrowIfStopped(stop_);
+    }
+    OfferAll(std::move(drafts), pool, static_cast<int>(taut.size()));
+    for (RouteDraft& draft : taut) pool->Offer(std::move(draft), kTautSeparation);
     if (progress) progress("sample", pool->size(), wanted);
     if (roadmap_ == nullptr && pool->size() == 0) return DiagnoseBetween();
     if (wave > 0 && pool->size() - before < kLeastYield * (wanted - before)) break;
@@ -100,8 +112,9 @@ std::optional<NoRouteDiagnosis> CandidateSearch::Run(CandidatePool* pool,
   return std::nullopt;
 }
 
-void CandidateSearch::OfferAll(std::vector<RouteDraft> drafts, CandidatePool* pool) const {
-  const int wanted = options_.sampling.candidates;
+void CandidateSearch::OfferAll(std::vector<RouteDraft> drafts, CandidatePool* pool,
+                               int places_to_keep) const {
+  const int wanted = options_.sampling.candidates - places_to_keep;
   const std::map<std::string, int> quotas{
       {kRoadmapName, Share(kRoadmapShare, wanted)},
       {OmplPlannerName(OmplPlanner::kRrtConnect), Share(kRrtConnectShare, wanted)}};

@@ -36,7 +36,8 @@ class CandidateSearch {
   bool ConnectRoadmap();
   Wave NextWave(int wave, int missing) const;
   // Offers each source's quota first, then what was made on top.
-  void OfferAll(std::vector<RouteDraft> drafts, CandidatePool* pool) const;
+  // Leaves so many places free.
+  void OfferAll(std::vector<RouteDraft> drafts, CandidatePool* pool, int places_to_keep) const;
   // Where smoothing makes many routes one, the routes as they were found are variants of it.
   void ReserveUnsmoothed(RouteDraft* draft, CandidatePool* pool) const;
   std::vector<RouteDraft> Generate(const Wave& wave);

@@ -150,7 +150,7 @@ std::vector<std::optional<SuccessEstimate>> EstimateSuccess(
     drives.resize(static_cast<std::size_t>(last));
     arena.execute([&] {
       tbb::parallel_for(first, last, [&](int draw) {
-        const Terrain drawn = DrawTerrain(terrain, options.uncertainty.spread, seed, draw);
+        const Terrain drawn = DrawTerrain(terrain, options.uncertainty.spread, seed, draw, stop);
         drives[static_cast<std::size_t>(draw)] =
             EvaluateRollouts(drawn, vehicle, driven, alone, report, stop);
       });

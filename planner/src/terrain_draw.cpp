@@ -1,4 +1,5 @@
 #include <dbd/core/error.h>
+#include <dbd/planner/stop.h>
 #include <dbd/planner/terrain_draw.h>
 
 #include <algorithm>
@@ -89,7 +90,8 @@ MaterialMap DrawMaterials(const MaterialMap& materials, double factor, std::uint
   return materials.WithMaterials(std::move(drawn));
 }
 
-HeightMap DrawHeights(const HeightMap& heights, const TerrainSpread& spread, std::uint64_t seed) {
+HeightMap DrawHeights(const HeightMap& heights, const TerrainSpread& spread, std::uint64_t seed,
+                      const std::stop_token& stop) {
   const HeightMap::Grid& grid = heights.grid();
   const SmoothNoise noise(grid, spread.elevation_correlation,
                           SplitMix64(DeriveSeed(seed, kHeightStream)));
@@ -97,6 +99,7 @@ HeightMap DrawHeights(const HeightMap& heights, const TerrainSpread& spread, std
   std::vector<float> drawn;
   drawn.reserve(grid.CellCount());
   for (int row = 0; row < grid.rows; ++row) {
+    ThrowIfStopped(stop);
     for (int column = 0; column < grid.columns; ++column) {
       const double height =
           heights.CellHeight(column, row) - base + spread.elevation_error * noise.At(column, row);
@@ -123,16 +126,16 @@ void TerrainSpread::Validate() const {
 }
 
 Terrain DrawTerrain(const Terrain& terrain, const TerrainSpread& spread, std::uint64_t seed,
-                    int draw) {
+                    int draw, const std::stop_token& stop) {
   spread.Validate();
   if (terrain.tin() != nullptr && spread.elevation_error > 0) {
     throw InputError("elevation_error: heights of a TIN cannot be drawn; rasterise it");
   }
   const std::uint64_t own = DeriveSeed(seed, static_cast<std::uint64_t>(draw));
-  Terrain drawn(
-      terrain.frame(),
-      spread.elevation_error > 0 ? DrawHeights(terrain.heights(), spread, own) : terrain.heights(),
-      DrawMaterials(terrain.materials(), spread.soil, own), terrain.obstacles());
+  Terrain drawn(terrain.frame(),
+                spread.elevation_error > 0 ? DrawHeights(terrain.heights(), spread, own, stop)
+                                           : terrain.heights(),
+                DrawMaterials(terrain.materials(), spread.soil, own), terrain.obstacles());
   drawn.set_tin(terrain.shared_tin());
   return drawn;
 }

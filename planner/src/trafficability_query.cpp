@@ -71,6 +71,12 @@ TrafficabilityLayer TrafficabilityLayer::WithExtraCost(
   return layer;
 }
 
+TrafficabilityLayer TrafficabilityLayer::WithFlatCost() const {
+  TrafficabilityLayer layer = *this;
+  layer.flat_ = true;
+  return layer;
+}
+
 const TrafficabilityLayer::Cell* TrafficabilityLayer::CellAt(double x, double y) const {
   // Written so that coordinates that are not numbers fail.
   const double column = (x - min_corner_.x()) / resolution_ + 0.5;
@@ -163,6 +169,7 @@ double TrafficabilityLayer::SecondsPerMetre(double x, double y, double heading) 
   const Cell* cell = CellAt(x, y);
   if (cell == nullptr || cell->reason != NoGoReason::kNone) return kInfinity;
   if (Judge(*cell, x, y, cos_h, sin_h) != NoGoReason::kNone) return kInfinity;
+  if (flat_) return min_seconds_per_metre();
   const double grade = cell->grade_x * cos_h + cell->grade_y * sin_h;
   const double side_slope = cell->grade_y * cos_h - cell->grade_x * sin_h;
   const double used = UsedShare(*cell, grade, side_slope);

@@ -93,6 +93,9 @@ class TrafficabilityLayer {
   /// The same layer with another cost on top; it shares the cells.
   TrafficabilityLayer WithExtraCost(std::shared_ptr<const ExtraCost> extra) const;
 
+  /// The same layer where all that is go costs the same: the least cost is the least length.
+  TrafficabilityLayer WithFlatCost() const;
+
   /// No place costs less [s/m].
   double min_seconds_per_metre() const { return 1.0 / max_speed_; }
 
@@ -164,6 +167,7 @@ class TrafficabilityLayer {
   Eigen::Vector2d min_corner_;
   std::shared_ptr<std::vector<Cell>> cells_;  // not changed after construction
   std::shared_ptr<const ExtraCost> extra_;    // null: none
+  bool flat_ = false;
   std::vector<Footing> footings_;
 };
 
