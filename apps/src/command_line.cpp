@@ -2,6 +2,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include "batch_flags.h"
+#include "common_flags.h"
+#include "plan_flags.h"
 #include "scene_flags.h"
 #include "terrain_flags.h"
 
@@ -24,75 +27,6 @@ CLI::App* AddCommand(CLI::App* parent, const std::string& name, const std::strin
   return command;
 }
 
-void AddVehicleFlag(CLI::App* command, std::string* vehicle) {
-  command->add_option("--vehicle", *vehicle, "Built-in vehicle (dbd vehicle list) or JSON file")
-      ->required()
-      ->option_text("NAME|FILE");
-}
-
-void AddCoordinatesFlag(CLI::App* command, Coordinates* coordinates) {
-  command
-      ->add_option_function<std::string>(
-          "--coords",
-          [coordinates](const std::string& name) {
-            *coordinates = name == "wgs84" ? Coordinates::kWgs84 : Coordinates::kMap;
-          },
-          "How coordinates are meant, default map")
-      ->check(CLI::IsMember({"map", "wgs84"}))
-      ->option_text("map|wgs84");
-}
-
-void AddThreadsFlag(CLI::App* command, int* threads) {
-  command->add_option("--threads", *threads, "0 = all processors, the default")
-      ->check(CLI::Range(0, 4096))
-      ->option_text("N");
-}
-
-void AddOutFlag(CLI::App* command, std::string* out) {
-  command->add_option("--out", *out, "Directory for the results, created when missing")
-      ->required()
-      ->option_text("DIR");
-}
-
-void AddJsonFlag(CLI::App* command, bool* json, const std::string& what) {
-  command->add_flag("--json", *json, "Print " + what + " on standard output");
-}
-
-void AddUncertaintyFlags(CLI::App* command, PlanArguments* plan) {
-  CLI::Option* draws =
-      command
-          ->add_option(
-              "--draws", plan->draws,
-              "Drive the best candidates on this many random draws of what is uncertain of "
-              "the terrain; default 1 = the terrain as it is given")
-          ->check(CLI::Range(1, 10000))
-          ->option_text("N");
-  command
-      ->add_option("--min-success", plan->min_success,
-                   "Least share of the draws on which a route must reach the goal, default 0")
-      ->needs(draws)
-      ->check(CLI::Range(0.0, 1.0))
-      ->option_text("SHARE");
-  command
-      ->add_option("--soil-spread", plan->soil_spread,
-                   "Factor on the materials' spread of strength, default 1")
-      ->needs(draws)
-      ->check(CLI::Range(0.0, 10.0))
-      ->option_text("F");
-  command
-      ->add_option("--elevation-error-m", plan->elevation_error_m,
-                   "Standard deviation of the heights, default 0")
-      ->needs(draws)
-      ->check(CLI::Range(0.0, 100.0))
-      ->option_text("L");
-  command
-      ->add_option("--elevation-correlation-m", plan->elevation_correlation_m,
-                   "Distance over which height errors are alike, default 20")
-      ->needs(draws)
-      ->check(CLI::Range(0.1, 1e5))
-      ->option_text("L");
-}
-
 void DeclarePlan(CLI::App* app, Commands* commands) {
   PlanArguments* plan = &commands->plan;
   CLI::App* command = AddCommand(
@@ -110,34 +44,7 @@ void DeclarePlan(CLI::App* app, Commands* commands) {
       ->required()
       ->option_text("X,Y[,HEADING_DEG]");
   AddCoordinatesFlag(command, &plan->coordinates);
-  command->add_option("--candidates", plan->candidates, "Routes to drive, default 32")
-      ->check(CLI::Range(1, 100000))
-      ->option_text("N");
-  command
-      ->add_option("--rounds", plan->rounds,
-                   "Most rounds that share these candidates, each learning from the drives before; "
-                   "default 3, 1 = all at once")
-      ->check(CLI::Range(1, 100))
-      ->option_text("N");
-  command
-      ->add_option("--max-speed-kmh", plan->max_speed_kmh,
-                   "Target speed on open ground, default 28.8")
-      ->check(CLI::Range(0.1, 500.0))
-      ->option_text("V");
-  command->add_option("--seed", plan->seed, "Of the sampling, default 1")->option_text("N");
-  AddThreadsFlag(command, &plan->threads);
-  AddUncertaintyFlags(command, plan);
-  command
-      ->add_option("--deadline", plan->deadline_s,
-                   "Answer with the best so far when this many seconds have passed; default: none")
-      ->check(CLI::Range(1e-3, 1e9))
-      ->option_text("SECONDS");
-  command
-      ->add_option("--engine", plan->engine,
-                   "lanes: many vehicles at once in single precision, the default; reference: one "
-                   "at a time in double precision")
-      ->check(CLI::IsMember({"lanes", "reference"}))
-      ->option_text("NAME");
+  AddPlanFlags(command, plan);
   AddOutFlag(command, &plan->out);
   AddJsonFlag(command, &plan->json, "plan.json instead of the summary");
   command->callback([commands, plan] { commands->run = [plan] { return RunPlan(*plan); }; });
@@ -158,24 +65,7 @@ void DeclareBatch(CLI::App* app, Commands* commands) {
           "Example:\n  dbd batch requests.jsonl --out results.jsonl --resume\n"
           "  dbd batch requests.jsonl --shard 2/4 --out part2.jsonl\n"
           "  dbd batch --merge part*.jsonl --out results.jsonl");
-  command->add_option("requests", batch->requests, "File of requests, - for standard input")
-      ->required()
-      ->option_text("REQUESTS.jsonl");
-  command->add_option("--out", batch->out, "One line per request, as soon as it is answered")
-      ->required()
-      ->option_text("RESULTS.jsonl");
-  command->add_flag("--resume", batch->resume,
-                    "Go on with the results of a run that was stopped or killed");
-  CLI::Option* shard =
-      command->add_option("--shard", batch->shard, "Only every N-th request, from the I-th on")
-          ->option_text("I/N");
-  command->add_flag("--merge", batch->merge, "Join the results of shards instead")->excludes(shard);
-  AddThreadsFlag(command, &batch->threads);
-  command
-      ->add_option("--memory-gb", batch->memory_gb,
-                   "Terrains are kept for later requests up to this much; default 4")
-      ->check(CLI::Range(0.0, 1e4))
-      ->option_text("GB");
+  AddBatchFlags(command, batch);
   command->callback([commands, batch] { commands->run = [batch] { return RunBatch(*batch); }; });
 }
 

@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "common_flags.h"
+
 namespace dbd {
 namespace {
 
@@ -14,9 +16,7 @@ void AddCommonFlags(CLI::App* command, SceneArguments* scene) {
       ->add_option("--terrain", scene->terrain,
                    "Other ground: a CSV grid or an elevation raster, driven east from its origin")
       ->option_text("FILE");
-  command->add_option("--threads", scene->threads, "0 = all processors, the default")
-      ->check(CLI::Range(0, 4096))
-      ->option_text("N");
+  AddThreadsFlag(command, &scene->threads);
   command->add_option("--out", scene->out, "Write all vehicles' motion and forces every 0.1 s")
       ->option_text("FILE.csv");
   command

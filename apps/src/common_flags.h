@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "places.h"
+
+namespace CLI {
+class App;
+}
+
+namespace dbd {
+
+// Flags that several sub-commands share. What they fill must outlive the parsing.
+
+void AddVehicleFlag(CLI::App* command, std::string* vehicle);
+void AddCoordinatesFlag(CLI::App* command, Coordinates* coordinates);
+void AddThreadsFlag(CLI::App* command, int* threads);
+/// A directory.
+void AddOutFlag(CLI::App* command, std::string* out);
+/// `what`: is printed instead of which other text.
+void AddJsonFlag(CLI::App* command, bool* json, const std::string& what);
+
+}  // namespace dbd
