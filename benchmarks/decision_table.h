@@ -1,0 +1,37 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dbd {
+
+/// A route with its drive as planned and again, more exactly and on ground drawn anew.
+struct Judged {
+  std::optional<std::size_t> index;  // into the pool and then the plan's candidates
+  double score = std::numeric_limits<double>::infinity();
+  double time = 0;
+  bool reached = false;
+  bool holds = false;
+};
+
+struct QueryResult {
+  std::string site;
+  double distance = 0;
+  Eigen::Vector2d start, goal;              // map coordinates
+  Judged chosen, shortest, cheapest, best;  // the last three of the pool
+  double plan_time = 0;
+  double sampling_time = 0;  // of the plan: what a kinematic planner would take
+  double first_route_time = 0;
+};
+
+/// One line per query.
+void PrintQuery(int number, const QueryResult& result);
+
+/// Shares, regrets and times over all queries.
+void PrintSummary(const std::vector<QueryResult>& results);
+
+}  // namespace dbd
