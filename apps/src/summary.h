@@ -17,7 +17,7 @@ std::string TightestLimit(const Rollout& rollout, const LocalFrame& frame);
 /// "32 candidates: 21 reached, 6 limit exceeded, 5 immobilized".
 std::string OutcomeCounts(const std::vector<Rollout>& rollouts);
 
-/// "sample 16: best 71.2 s, learn 8: best 68.0 s, polish 8: best 66.9 s": the best score after each
+/// "sample 16: best 71.2 s, learn 8: best 68.0 s, learn 8: best 66.9 s": the best score after each
 /// round.
 std::string RoundGains(const std::vector<PlanRound>& rounds);
 

@@ -9,22 +9,21 @@ namespace dbd {
 
 /// How many candidates each part of a plan may drive.
 struct Budget {
-  explicit Budget(const PlanOptions& options) : all(options.sampling.candidates) {
+  explicit Budget(const PlanOptions& options) : all(options.sampling.candidates), first(all) {
     const LearningOptions& learning = options.learning;
-    polish = static_cast<int>(learning.polish_share * all);
-    first = learning.rounds == 1 ? all - polish
-                                 : static_cast<int>(std::ceil(learning.first_share * all));
+    if (learning.rounds == 1) return;
+    first = static_cast<int>(std::ceil(learning.first_share * all));
     first = std::clamp(first, std::min(all, kFewestToLearnFrom), all);
-    polish = std::min(polish, all - first);
-    const int learning_rounds = std::max(1, learning.rounds - 1);
-    per_round = (all - first - polish + learning_rounds - 1) / learning_rounds;
+    if (first < all) variant_share = std::min(1.0, learning.polish_share * all / (all - first));
   }
+
+  /// Of `count` candidates of a later round.
+  int Variants(int count) const { return static_cast<int>(variant_share * count); }
 
   static constexpr int kFewestToLearnFrom = 8;
   int all;
-  int first = 0;
-  int per_round = 0;
-  int polish = 0;
+  int first;
+  double variant_share = 0;  ///< of every later round
 };
 
 }  // namespace dbd

@@ -35,9 +35,6 @@ SamplingOptions Coarser(SamplingOptions sampling) {
   return sampling;
 }
 
-constexpr int kPolishRounds = 2;
-constexpr double kStable = 0.005;  // a round that gains a smaller share than this gains nothing
-
 /// The stages of one request, each from the value of the one before, in rounds.
 class Planning {
  public:
@@ -56,13 +53,14 @@ class Planning {
     StageClock clock(plan);
     const TrafficabilityLayer layer(terrain_, vehicle_, options_.max_speed, {}, stop_);
     clock.Finish("trafficability");
-    const std::optional<NoRouteDiagnosis> diagnosis =
-        SampleAndDrive("sample", layer, budget_.first, plan, clock);
-    if (plan.candidates.empty()) {
-      AnswerWithDiagnosis(terrain_, diagnosis.value_or(NoRouteDiagnosis{}), plan);
+    CandidateSet sampled = Sample(layer, budget_.first, plan);
+    clock.Finish("candidates");
+    if (sampled.candidates.empty()) {
+      AnswerWithDiagnosis(terrain_, sampled.diagnosis.value_or(NoRouteDiagnosis{}), plan);
       return;
     }
-    LearnAndPolish(layer, plan, clock);
+    Drive("sample", std::move(sampled.candidates), plan, clock);
+    Learn(layer, plan, clock);
     DriveOnDraws(plan, clock);
     ChooseRoute(plan, options_.uncertainty);
     clock.Finish("choice");
@@ -78,25 +76,21 @@ class Planning {
     return plan.rounds.empty() ? options_.seed : DeriveSeed(options_.seed, plan.rounds.size());
   }
 
-  void LearnAndPolish(const TrafficabilityLayer& layer, Plan& plan, StageClock& clock) {
-    const auto learned = [&] {
-      return layer.WithExtraCost(std::make_shared<const ExtraCost>(
+  /// Each later round drives new routes, which avoid what was met, and variants of the best, side
+  /// by side: what a round costs is its slowest drive, however many fill the lanes beside it.
+  void Learn(const TrafficabilityLayer& layer, Plan& plan, StageClock& clock) {
+    for (int left = options_.learning.rounds - 1; left > 0 && Left(plan) > 0; --left) {
+      const int count = (Left(plan) + left - 1) / left;
+      const TrafficabilityLayer learned = layer.WithExtraCost(std::make_shared<const ExtraCost>(
           LearnFromRollouts(layer, plan.rollouts, options_.scoring)));
-    };
-    for (int round = 1; round < options_.learning.rounds; ++round) {
-      const int count = std::min(budget_.per_round, Left(plan) - budget_.polish);
-      if (count <= 0) break;
-      const double best = plan.rounds.back().best_score;
-      SampleAndDrive("learn", learned(), count, plan, clock);
-      if (plan.rounds.back().best_score > (1 - kStable) * best) break;
-    }
-    for (int round = kPolishRounds; round > 0 && Left(plan) > 0; --round) {
-      const int count = (Left(plan) + round - 1) / round;
-      std::vector<Candidate> variants =
-          VaryBest(learned(), vehicle_, {plan.candidates, plan.rollouts, plan.scores}, count,
-                   RoundSeed(plan));
+      std::vector<Candidate> next =
+          Sample(learned, count - budget_.Variants(count), plan).candidates;
+      const std::vector<Candidate> variants =
+          VaryBest(learned, vehicle_, {plan.candidates, plan.rollouts, plan.scores},
+                   count - static_cast<int>(next.size()), RoundSeed(plan));
+      next.insert(next.end(), variants.begin(), variants.end());
       clock.Finish("candidates");
-      if (!variants.empty()) Drive("polish", std::move(variants), plan, clock);
+      if (!next.empty()) Drive("learn", std::move(next), plan, clock);
     }
   }
 
@@ -120,17 +114,14 @@ class Planning {
     clock.Finish("draws");
   }
 
-  std::optional<NoRouteDiagnosis> SampleAndDrive(const char* name, const TrafficabilityLayer& layer,
-                                                 int count, Plan& plan, StageClock& clock) {
+  CandidateSet Sample(const TrafficabilityLayer& layer, int count, const Plan& plan) const {
     PlanOptions options = options_;
     options.sampling.candidates = count;
     options.seed = RoundSeed(plan);
     if (!plan.rounds.empty()) options.sampling = Coarser(options.sampling);
-    CandidateSet sampled = SampleCandidates(terrain_, vehicle_, layer, request_, options, progress_,
-                                            stop_, plan.candidates);
-    clock.Finish("candidates");
-    if (!sampled.candidates.empty()) Drive(name, std::move(sampled.candidates), plan, clock);
-    return sampled.diagnosis;
+    if (count == 0) return {};
+    return SampleCandidates(terrain_, vehicle_, layer, request_, options, progress_, stop_,
+                            plan.candidates);
   }
 
   void Drive(const char* name, std::vector<Candidate> candidates, Plan& plan, StageClock& clock) {

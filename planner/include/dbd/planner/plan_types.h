@@ -24,7 +24,7 @@ struct SamplingOptions {
 };
 
 /// How the budget of driven candidates is spent: some are driven first, what they met guides the
-/// search for more, and in the end the best are varied.
+/// search for more, and the best are varied beside these.
 struct LearningOptions {
   int rounds = 3;              ///< of sampling and driving, at most; 1 = nothing is learnt
   double first_share = 0.5;    ///< of the candidates, in the first round
@@ -183,7 +183,7 @@ struct SuccessEstimate {
 
 /// What one round of sampling and driving gained.
 struct PlanRound {
-  std::string name;    ///< "sample", "learn", "polish"
+  std::string name;    ///< "sample", then "learn"
   int candidates = 0;  ///< driven in it; their indices follow those of the round before
   int reached = 0;
   double best_score = std::numeric_limits<double>::infinity();  ///< of all rounds so far [s]
