@@ -83,11 +83,12 @@ class Planning {
       const int count = (Left(plan) + left - 1) / left;
       const TrafficabilityLayer learned = layer.WithExtraCost(std::make_shared<const ExtraCost>(
           LearnFromRollouts(layer, plan.rollouts, options_.scoring)));
-      std::vector<Candidate> next =
-          Sample(learned, count - budget_.Variants(count), plan).candidates;
+      std::vector<Candidate> next = Sample(learned, count, plan).candidates;
       const std::vector<Candidate> variants =
           VaryBest(learned, vehicle_, {plan.candidates, plan.rollouts, plan.scores},
-                   count - static_cast<int>(next.size()), RoundSeed(plan));
+                   std::max(budget_.Variants(count), count - static_cast<int>(next.size())),
+                   RoundSeed(plan));
+      next.resize(std::min(next.size(), static_cast<std::size_t>(count) - variants.size()));
       next.insert(next.end(), variants.begin(), variants.end());
       clock.Finish("candidates");
       if (!next.empty()) Drive("learn", std::move(next), plan, clock);
