@@ -16,9 +16,9 @@ namespace {
 using nlohmann::json;
 
 // What Google Benchmark writes of every run beside the counters of the benchmark's own.
-const std::set<std::string> kOwn = {"cpu_time",      "family_index",   "iterations",
-                                    "real_time",     "repetitions",    "repetition_index",
-                                    "threads",       "per_family_instance_index"};
+const std::set<std::string> kOwn = {
+    "cpu_time",    "family_index",     "iterations", "real_time",
+    "repetitions", "repetition_index", "threads",    "per_family_instance_index"};
 
 using Values = std::map<std::string, std::vector<double>>;  // of one benchmark, by counter
 
@@ -70,11 +70,13 @@ void PrintTable(const std::string& file) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    for (int i = 1; i < argc; ++i) PrintTable(argv[i]);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "markdown_table: %s\n", error.what());
-    return 1;
+  for (int i = 1; i < argc; ++i) {
+    try {
+      PrintTable(argv[i]);
+    } catch (const json::exception& error) {
+      std::fprintf(stderr, "markdown_table: %s: %s\n", argv[i], error.what());
+      return 1;
+    }
   }
   return 0;
 }
