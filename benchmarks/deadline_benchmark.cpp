@@ -35,13 +35,7 @@ Site GenerateSite(int size) {
   GeneratorOptions options;
   options.size = size;
   const GeneratedTerrain generated = GenerateTerrain(options, directory.string());
-  TerrainFiles files;
-  files.elevation = generated.elevation;
-  files.materials = generated.materials;
-  files.material_table = generated.material_table;
-  files.obstacles = generated.obstacles;
-  files.obstacles_placement.origin = generated.obstacles_origin;
-  Site site{LoadTerrain(files), {}};
+  Site site{LoadTerrain(FilesOf(generated)), {}};
   site.request.start = site.terrain->frame().ToLocal(generated.start);
   site.request.goal = site.terrain->frame().ToLocal(generated.goal);
   std::filesystem::remove_all(directory);

@@ -31,13 +31,7 @@ std::vector<Site> GenerateSites(int count) {
     options.relief = 25;
     options.seed = static_cast<std::uint64_t>(i);
     const GeneratedTerrain generated = GenerateTerrain(options, directory.string());
-    TerrainFiles files;
-    files.elevation = generated.elevation;
-    files.materials = generated.materials;
-    files.material_table = generated.material_table;
-    files.obstacles = generated.obstacles;
-    files.obstacles_placement.origin = generated.obstacles_origin;
-    auto terrain = LoadTerrain(files);
+    auto terrain = LoadTerrain(FilesOf(generated));
     const bool soft = i % 2 == 0;
     if (soft) terrain = std::make_shared<const Terrain>(Softened(*terrain));
     sites.push_back({(soft ? "soft-" : "land-") + std::to_string(i), std::move(terrain)});

@@ -1,5 +1,7 @@
 #include "batch_answer.h"
 
+#include <dbd/planner/scoring.h>
+
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -13,10 +15,9 @@ using nlohmann::ordered_json;
 
 constexpr std::size_t kLongestReason = 500;  // a hostile request may quote itself
 
-std::string OneLine(std::string text) {
-  if (text.size() > kLongestReason) text = text.substr(0, kLongestReason) + "...";
-  for (char& c : text) c = c == '\n' ? ' ' : c;
-  return text;
+std::string ReasonOf(const JobResult& result) {
+  const std::string& text = result.state == JobState::kDone ? result.plan.reason : result.error;
+  return OneLine(text.size() > kLongestReason ? text.substr(0, kLongestReason) + "..." : text);
 }
 
 ordered_json OutcomesJson(const Plan& plan) {
@@ -41,7 +42,7 @@ void AddPlan(const JobResult& result, ordered_json& answer) {
   answer["route"] = RouteJson(plan);
   if (plan.chosen) {
     const Rollout& chosen = plan.rollouts[static_cast<std::size_t>(*plan.chosen)];
-    const LimitMargin* binding = BindingLimit(chosen);
+    const LimitMargin* binding = TightestLimit(chosen);
     if (binding) answer["route"]["tightest"] = {binding->name, Rounded(binding->margin, 4)};
     answer["route"]["map_line"] = LineJson(chosen, frame);
   }
@@ -60,7 +61,7 @@ std::string BatchAnswer(std::size_t line, const std::string& id, const JobResult
                          {"id", id},
                          {"line", line},
                          {"status", done ? PlanStatusName(result.plan.status) : "error"},
-                         {"reason", OneLine(done ? result.plan.reason : result.error)}};
+                         {"reason", ReasonOf(result)}};
   if (done) AddPlan(result, answer);
   return answer.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }

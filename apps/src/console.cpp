@@ -5,8 +5,9 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstdio>
+
+#include "text.h"
 
 namespace dbd {
 namespace {
@@ -18,11 +19,6 @@ spdlog::logger& Log() {
     return made;
   }();
   return log;
-}
-
-std::string OneLine(std::string text) {
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
 }
 
 void LogGdalMessage(CPLErr, CPLErrorNum, const char* message) {

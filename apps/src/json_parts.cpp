@@ -1,6 +1,7 @@
 #include "json_parts.h"
 
-#include <algorithm>
+#include <dbd/planner/scoring.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -88,7 +89,7 @@ ordered_json CertificateJson(const Rollout& rollout, const LocalFrame& frame) {
   ordered_json margins = ordered_json::array();
   for (const LimitMargin& margin : rollout.margins) margins.push_back(MarginJson(margin, frame));
   ordered_json certificate = {{"margins", std::move(margins)}};
-  const LimitMargin* binding = BindingLimit(rollout);
+  const LimitMargin* binding = TightestLimit(rollout);
   certificate["binding"] = binding ? ordered_json(binding->name) : ordered_json(nullptr);
   certificate["per_meter"] = TableJson(WorstPerMeter(rollout.trace), frame);
   return certificate;
@@ -98,13 +99,6 @@ ordered_json VersionsJson() {
   ordered_json versions = ordered_json::object();
   for (const auto& [name, version] : Versions()) versions[name] = version;
   return versions;
-}
-
-const LimitMargin* BindingLimit(const Rollout& rollout) {
-  const auto least = std::min_element(
-      rollout.margins.begin(), rollout.margins.end(),
-      [](const LimitMargin& a, const LimitMargin& b) { return a.margin < b.margin; });
-  return least == rollout.margins.end() ? nullptr : &*least;
 }
 
 }  // namespace dbd

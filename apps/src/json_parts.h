@@ -36,7 +36,4 @@ nlohmann::ordered_json CertificateJson(const Rollout& rollout, const LocalFrame&
 
 nlohmann::ordered_json VersionsJson();
 
-/// The limit with the least margin; null when there are none.
-const LimitMargin* BindingLimit(const Rollout& rollout);
-
 }  // namespace dbd

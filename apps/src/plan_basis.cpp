@@ -4,8 +4,8 @@
 
 namespace dbd {
 
-std::vector<BasisItem> FilesBehind(const PlanRecord& record) {
-  const TerrainArguments& terrain = record.arguments.terrain;
+std::vector<BasisItem> FilesBehind(const PlanArguments& arguments) {
+  const TerrainArguments& terrain = arguments.terrain;
   std::vector<BasisItem> items;
   const auto add = [&items](const char* what, const std::string& name) {
     if (!name.empty()) items.push_back({what, name, Sha256OfFile(name)});
@@ -15,7 +15,7 @@ std::vector<BasisItem> FilesBehind(const PlanRecord& record) {
   add("material table", terrain.material_table);
   add("obstacles", terrain.obstacles);
   add("surface model", terrain.surface_model);
-  add("vehicle", record.arguments.vehicle);
+  add("vehicle", arguments.vehicle);
   return items;
 }
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "plan_json.h"
+#include "plan_command.h"
 
 namespace dbd {
 
@@ -15,6 +15,6 @@ struct BasisItem {
 };
 
 /// The files and built-in tables behind a plan, with the hashes of the files as they are now.
-std::vector<BasisItem> FilesBehind(const PlanRecord& record);
+std::vector<BasisItem> FilesBehind(const PlanArguments& arguments);
 
 }  // namespace dbd

@@ -89,7 +89,8 @@ int RunPlan(const PlanArguments& arguments) {
     PrintError(plan.reason);
     return kExitStopped;
   }
-  const PlanRecord record{arguments, *terrain, *vehicle, request, options, plan};
+  const PlanRecord record{
+      arguments, *terrain, *vehicle, request, options, plan, FilesBehind(arguments)};
   WritePlanFiles(record, &output);
   std::fputs((arguments.json ? PlanJson(record) : PlanSummary(record, output)).c_str(), stdout);
   return plan.chosen ? kExitOk : kExitNoSafeRoute;

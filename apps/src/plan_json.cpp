@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 
 #include "json_parts.h"
-#include "plan_basis.h"
 #include "text.h"
 
 namespace dbd {
@@ -140,7 +139,7 @@ ordered_json RoundsJson(const Plan& plan) {
 
 ordered_json RestsOnJson(const PlanRecord& record) {
   ordered_json items = ordered_json::array();
-  for (const BasisItem& item : FilesBehind(record)) {
+  for (const BasisItem& item : record.basis) {
     ordered_json json = {{"what", item.what}, {"name", item.name}};
     if (!item.sha256.empty()) json["sha256"] = item.sha256;
     items.push_back(std::move(json));

@@ -6,6 +6,7 @@
 
 #include <string>
 
+#include "plan_basis.h"
 #include "plan_command.h"
 
 namespace dbd {
@@ -18,6 +19,7 @@ struct PlanRecord {
   const PlanRequest& request;
   const PlanOptions& options;
   const Plan& plan;
+  std::vector<BasisItem> basis;  ///< files are hashed once, for all that is written
 
   /// The rollout of the chosen route; null when there is none.
   const Rollout* chosen() const {

@@ -3,6 +3,7 @@
 #include <cpl_conv.h>
 #include <cpl_string.h>
 #include <dbd/core/units.h>
+#include <dbd/planner/scoring.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,6 @@
 #include "limit_units.h"
 #include "map_style.h"
 #include "places.h"
-#include "plan_basis.h"
 #include "summary.h"
 #include "text.h"
 #include "trace_table.h"
@@ -112,7 +112,7 @@ ordered_json LimitsJson(const PlanRecord& record) {
   ordered_json limits = ordered_json::array();
   const Rollout* chosen = record.chosen();
   if (!chosen) return limits;
-  const LimitMargin* binding = BindingLimit(*chosen);
+  const LimitMargin* binding = TightestLimit(*chosen);
   for (const LimitMargin& margin : chosen->margins) {
     const LimitUnit unit = UnitOfLimit(margin.name);
     const auto text = [&unit](double value) {
@@ -206,7 +206,7 @@ ordered_json RoundsDataJson(const Plan& plan) {
 
 ordered_json BasisJson(const PlanRecord& record) {
   ordered_json basis = ordered_json::array();
-  for (const BasisItem& item : FilesBehind(record)) {
+  for (const BasisItem& item : record.basis) {
     const std::string origin = item.sha256.empty() ? " (built in)" : "\nSHA-256 " + item.sha256;
     basis.push_back({item.what, item.name + origin});
   }

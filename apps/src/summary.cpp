@@ -1,5 +1,7 @@
 #include "summary.h"
 
+#include <dbd/planner/scoring.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -56,7 +58,7 @@ std::string DriveTotals(const Rollout& rollout) {
 }
 
 std::string TightestLimit(const Rollout& rollout, const LocalFrame& frame) {
-  const LimitMargin* binding = BindingLimit(rollout);
+  const LimitMargin* binding = TightestLimit(rollout);
   if (!binding) return "";
   const LimitUnit unit = UnitOfLimit(binding->name);
   const double percent = 100 * binding->margin;

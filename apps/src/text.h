@@ -8,6 +8,9 @@ namespace dbd {
 /// printf into a string.
 [[gnu::format(printf, 1, 2)]] std::string Format(const char* format, ...);
 
+/// Line breaks become spaces.
+std::string OneLine(std::string text);
+
 /// "3 min 24 s", "12.4 s".
 std::string FormatDuration(double seconds);
 

@@ -1,3 +1,4 @@
+#include <dbd/core/internal/clamp_index.h>
 #include <dbd/core/scenario.h>
 
 #include <algorithm>
@@ -94,8 +95,8 @@ class GridGround final : public ShapedGround<GridGround> {
   GridGround(const NodeGrid& grid) : grid_(grid), inverse_(1 / grid.spacing) {}
 
   double HeightAt(double x, double y) const {
-    const double u = Inside((x - grid_.x0) * inverse_, grid_.columns - 1.001);
-    const double v = Inside((y - grid_.y0) * inverse_, grid_.rows - 1.001);
+    const double u = internal::ClampIndex((x - grid_.x0) * inverse_, grid_.columns - 1.001);
+    const double v = internal::ClampIndex((y - grid_.y0) * inverse_, grid_.rows - 1.001);
     const int ix = static_cast<int>(u), iy = static_cast<int>(v);
     const double fx = u - ix, fy = v - iy;
     const double* south_nodes = &grid_.heights[grid_.Index(ix, iy)];
@@ -107,7 +108,7 @@ class GridGround final : public ShapedGround<GridGround> {
 
   double HighestAt(double x, double y, double reach) const {
     const auto cell = [&](double u, int count) {
-      return static_cast<int>(Inside(u * inverse_, count - 2.0));
+      return static_cast<int>(internal::ClampIndex(u * inverse_, count - 2.0));
     };
     const int first = cell(x - reach - grid_.x0, grid_.columns);
     const int last = cell(x + reach - grid_.x0, grid_.columns) + 1;
@@ -122,11 +123,6 @@ class GridGround final : public ShapedGround<GridGround> {
   }
 
  private:
-  /// Within 0 and `last`, also where a vehicle that diverged asks with a number that is none.
-  static double Inside(double index, double last) {
-    return std::min(index > 0 ? index : 0.0, last);
-  }
-
   NodeGrid grid_;
   double inverse_;
 };

@@ -70,7 +70,7 @@ std::vector<Rollout> EvaluateRollouts(const Terrain& terrain, const VehicleModel
     on_done(rollout);
   };
   DriveQueue queue{tasks, rollouts, report, stop};
-  const int threads = ThreadCount(options);
+  const int threads = ThreadCount(options.threads);
   tbb::task_arena arena(threads);
   arena.execute([&] {
     if (options.engine == RolloutEngine::kLanes) {

@@ -11,19 +11,10 @@
 #include "lockstep_team.h"
 
 namespace dbd {
-namespace {
-
-int Granted(int asked) {
-  PlanOptions options;
-  options.threads = asked;
-  return ThreadCount(options);
-}
-
-}  // namespace
 
 struct BodyExecutor::Impl {
   explicit Impl(const BodyExecutorOptions& given)
-      : options(given), threads(Granted(given.threads)), arena(threads) {}
+      : options(given), threads(ThreadCount(given.threads)), arena(threads) {}
 
   void RunShared(std::int64_t rounds, int items, const RoundFunction& work) {
     LockstepTeam team(std::min(threads, items), rounds, items, work);

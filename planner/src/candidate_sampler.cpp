@@ -69,7 +69,7 @@ CandidateSet SampleCandidates(const Terrain& terrain, const VehicleModel& vehicl
   CandidatePool pool(options.sampling.min_separation, stop);
   pool.AddKnown(known);
   CandidateSet set;
-  tbb::task_arena arena(ThreadCount(options));
+  tbb::task_arena arena(ThreadCount(options.threads));
   arena.execute([&] {
     set.diagnosis = CandidateSearch(vehicle, layer, request, options, stop).Run(&pool, progress);
   });

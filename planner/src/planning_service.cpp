@@ -9,15 +9,6 @@
 #include <mutex>
 
 namespace dbd {
-namespace {
-
-int ThreadsFor(int asked) {
-  PlanOptions options;
-  options.threads = asked;
-  return ThreadCount(options);
-}
-
-}  // namespace
 
 const char* JobStateName(JobState state) {
   switch (state) {
@@ -125,7 +116,7 @@ const JobResult& PlanningService::Handle::Wait() const {
 }
 
 PlanningService::PlanningService(const Options& options)
-    : threads_(ThreadsFor(options.threads)),
+    : threads_(ThreadCount(options.threads)),
       queue_limit_(std::max<std::size_t>(options.queue_limit, 1)),
       board_(std::make_shared<Board>()) {
   for (int i = 0; i < threads_; ++i) {

@@ -142,7 +142,7 @@ std::vector<std::optional<SuccessEstimate>> EstimateSuccess(
   };
   Drives drives;
   std::vector<SuccessEstimate> estimates;
-  tbb::task_arena arena(ThreadCount(options));
+  tbb::task_arena arena(ThreadCount(options.threads));
   const std::uint64_t seed = DeriveSeed(options.seed, kDrawStream);
   while (!driven.empty() && static_cast<int>(drives.size()) < options.uncertainty.draws) {
     const int first = static_cast<int>(drives.size());

@@ -6,10 +6,10 @@
 
 namespace dbd {
 
-int ThreadCount(const PlanOptions& options) {
+int ThreadCount(int asked) {
   const auto most = static_cast<int>(
       tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-  return options.threads > 0 ? std::min(options.threads, most) : most;
+  return asked > 0 ? std::min(asked, most) : most;
 }
 
 }  // namespace dbd

@@ -50,4 +50,14 @@ GeneratedTerrain GenerateTerrain(const GeneratorOptions& options, const std::str
   return terrain;
 }
 
+TerrainFiles FilesOf(const GeneratedTerrain& generated) {
+  TerrainFiles files;
+  files.elevation = generated.elevation;
+  files.materials = generated.materials;
+  files.material_table = generated.material_table;
+  files.obstacles = generated.obstacles;
+  files.obstacles_placement.origin = generated.obstacles_origin;
+  return files;
+}
+
 }  // namespace dbd

@@ -1,4 +1,5 @@
 #include <dbd/core/error.h>
+#include <dbd/core/internal/clamp_index.h>
 #include <dbd/terrain/height_map.h>
 
 #include <algorithm>
@@ -11,18 +12,13 @@
 namespace dbd {
 namespace {
 
+using internal::ClampIndex;
+
 // Tiles of the bound are about this wide where cells are smaller: a wheel's radius fits [m].
 constexpr double kTileWidth = 0.5;
 
 // Tiles of an n-cell axis.
 int TileCount(int cells, int tile_cells) { return (cells - 2) / tile_cells + 1; }
-
-// A coordinate in cells, held inside the grid; not a number becomes 0. Written so that it compiles
-// to a maximum and a minimum.
-double ClampIndex(double index, double last) {
-  const double not_below = index > 0.0 ? index : 0.0;
-  return not_below < last ? not_below : last;
-}
 
 // The square that holds an index coordinate; the last point belongs to the last square.
 int SquareOf(double index, double last) {

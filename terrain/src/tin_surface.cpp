@@ -1,4 +1,5 @@
 #include <dbd/core/error.h>
+#include <dbd/core/internal/clamp_index.h>
 #include <dbd/terrain/tin_surface.h>
 
 #include <Eigen/Geometry>
@@ -190,8 +191,7 @@ double TinSurface::HighestWithin(double radius, double x, double y) const {
   // Each bin answers for its neighbours too, so one less ring is read.
   const double rings = std::clamp(std::ceil(radius / bin_size_) - 1.0, 0.0, 1e6);
   const auto bin_of = [this](double distance, int count) {
-    // Not std::clamp: a place that is not a number must find a bin too.
-    return static_cast<int>(std::min(distance > 0 ? distance / bin_size_ : 0.0, count - 1.0));
+    return static_cast<int>(internal::ClampIndex(distance / bin_size_, count - 1.0));
   };
   const int reach = static_cast<int>(rings);
   const int column = bin_of(x - low_.x(), bin_columns_);

@@ -19,7 +19,9 @@ struct SyntheticPlan {
   PlanOptions options;
   Plan plan;
 
-  PlanRecord record() const { return {arguments, terrain, vehicle, request, options, plan}; }
+  PlanRecord record() const {
+    return {arguments, terrain, vehicle, request, options, plan, FilesBehind(arguments)};
+  }
 };
 
 inline constexpr char kUtm33[] = "EPSG:32633";

@@ -1,3 +1,4 @@
+#include <dbd/planner/plan_types.h>
 #include <dbd/planner/thread_count.h>
 
 #include <gtest/gtest.h>
@@ -10,16 +11,16 @@ TEST(ThreadCount, AsAskedButNoMoreThanAllowed) {
   const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, 3);
   PlanOptions options;
   options.threads = 2;
-  EXPECT_EQ(ThreadCount(options), 2);
+  EXPECT_EQ(ThreadCount(options.threads), 2);
   options.threads = 64;
-  EXPECT_EQ(ThreadCount(options), 3);
+  EXPECT_EQ(ThreadCount(options.threads), 3);
 }
 
 TEST(ThreadCount, AllThereAreWhenNoneAreNamed) {
   const tbb::global_control allow(tbb::global_control::max_allowed_parallelism, 2);
   PlanOptions options;
   options.threads = 0;
-  EXPECT_EQ(ThreadCount(options), 2);
+  EXPECT_EQ(ThreadCount(options.threads), 2);
 }
 
 }  // namespace

@@ -20,16 +20,6 @@ std::string Bytes(const std::string& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-TerrainFiles FilesOf(const GeneratedTerrain& generated) {
-  TerrainFiles files;
-  files.elevation = generated.elevation;
-  files.materials = generated.materials;
-  files.material_table = generated.material_table;
-  files.obstacles = generated.obstacles;
-  files.obstacles_placement.origin = generated.obstacles_origin;
-  return files;
-}
-
 GeneratorOptions Small() {
   GeneratorOptions options;
   options.size = 200;

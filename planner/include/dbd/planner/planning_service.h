@@ -104,8 +104,6 @@ class PlanningService {
   /// Waits until no job is waiting or running.
   void Drain();
 
-  int threads() const { return threads_; }
-
  private:
   void Work(const std::stop_token& stop);
   void Run(Job& job);

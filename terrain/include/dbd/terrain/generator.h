@@ -1,5 +1,7 @@
 #pragma once
 
+#include <dbd/terrain/terrain.h>
+
 #include <Eigen/Core>
 #include <cstdint>
 #include <string>
@@ -37,5 +39,8 @@ struct GeneratedTerrain {
 /// created. Files with these names are replaced. Throws InputError when that fails; nothing is
 /// left behind then.
 GeneratedTerrain GenerateTerrain(const GeneratorOptions& options, const std::string& directory);
+
+/// All of its files, to be loaded again.
+TerrainFiles FilesOf(const GeneratedTerrain& generated);
 
 }  // namespace dbd
