@@ -1,7 +1,8 @@
 // Speed of packs of vehicles on one core: the paper's scenarios A-D driven whole by every lane of a
 // pack, driver and powertrain included, on a raster of 0.02 m or 1 m cells. `real_time_factor`:
 // simulated seconds of all lanes per CPU second. `DriveAlone` is the double-precision reference on
-// the same raster: the ratio of the two is what lanes gain.
+// the same raster: the ratio of the two is what lanes gain. `DriveWheelLanes` is one vehicle whose
+// four wheels are the lanes.
 
 #include <benchmark/benchmark.h>
 #include <dbd/core/scenario.h>
@@ -48,13 +49,13 @@ void SetRate(benchmark::State& state, double simulated) {
   state.counters["real_time_factor"] = benchmark::Counter(simulated, benchmark::Counter::kIsRate);
 }
 
-void DriveAlone(benchmark::State& state, const std::string& name, int millimetres) {
+void DriveOne(benchmark::State& state, const std::string& name, int millimetres, bool wheel_lanes) {
   const auto vehicle = LoadVehicle("tomcar-tm27");
   const Terrain& terrain = TerrainOf(name, millimetres);
   const Scenario scenario = MakeScenario(name);
   double simulated = 0;
   for ([[maybe_unused]] auto _ : state) {
-    Simulation simulation(*vehicle, terrain);
+    Simulation simulation(*vehicle, terrain, {.wheel_lanes = wheel_lanes});
     simulation.Place(Eigen::Vector2d::Zero(), 0);
     ScenarioDriver driver(scenario, *vehicle);
     while (simulation.time() < scenario.duration) driver.Advance(simulation);
@@ -101,7 +102,10 @@ void DriveLanes(benchmark::State& state, const std::string& name, int millimetre
 
 void Register(const std::string& name, int millimetres) {
   const std::string where = name + "/" + std::to_string(millimetres) + "mm";
-  benchmark::RegisterBenchmark(("DriveAlone/" + where).c_str(), DriveAlone, name, millimetres)
+  benchmark::RegisterBenchmark(("DriveAlone/" + where).c_str(), DriveOne, name, millimetres, false)
+      ->Unit(benchmark::kMillisecond);
+  benchmark::RegisterBenchmark(("DriveWheelLanes/" + where).c_str(), DriveOne, name, millimetres,
+                               true)
       ->Unit(benchmark::kMillisecond);
   for (const LaneKind kind : {LaneKind::kFloat16, LaneKind::kFloat8, LaneKind::kFloat4,
                               LaneKind::kDouble8, LaneKind::kDouble4}) {

@@ -27,7 +27,8 @@ class AttachmentPoints {
   explicit AttachmentPoints(const VehicleModel& model);
 
   /// Most points that the links and springs of a vehicle can have.
-  static std::size_t Most(const VehicleModel& model) {
+  template <class Model>
+  static std::size_t Most(const Model& model) {
     return 2 * model.links.size() + 3 * model.springs.size();
   }
 

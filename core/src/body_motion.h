@@ -14,41 +14,42 @@ namespace dbd {
 // of inertia included by turning the inertia with the body.
 
 /// Angular velocity of a body with angular momentum h_W and attitude R_WB.
-template <class Real>
-Vec3<Real> AngularVelocity(const BodyModel& body, const Mat3<Real>& R_WB, const Vec3<Real>& h_W) {
-  using S = ScalarOf<Real>;
+template <class Real, class Body>
+Vec3<Real> AngularVelocity(const Body& body, const Mat3<Real>& R_WB, const Vec3<Real>& h_W) {
   const Vec3<Real> h_B = R_WB.TransposeTimes(h_W);
-  return R_WB * Vec3<Real>{h_B.x * Real(S(1 / body.inertia.x())),
-                           h_B.y * Real(S(1 / body.inertia.y())),
-                           h_B.z * Real(S(1 / body.inertia.z()))};
+  return R_WB * Vec3<Real>{h_B.x * ToLanes<Real>(1 / body.inertia.x()),
+                           h_B.y * ToLanes<Real>(1 / body.inertia.y()),
+                           h_B.z * ToLanes<Real>(1 / body.inertia.z())};
+}
+
+/// Whether it turns about every axis alike.
+inline bool IsSpherical(const Eigen::Vector3d& inertia) {
+  return inertia.x() == inertia.y() && inertia.y() == inertia.z();
 }
 
 /// The angular velocity of the mid-step: the momentum belongs to t + dt/2, so the attitude must
 /// too. One predictor with the attitude at t brings it there to second order.
-template <class Real>
-Vec3<Real> MidStepAngularVelocity(const BodyModel& body, const Mat3<Real>& R_WB,
-                                  const Quat<Real>& q_WB, const Vec3<Real>& h_W, const Real& dt) {
+template <class Real, class Body>
+Vec3<Real> MidStepAngularVelocity(const Body& body, const Mat3<Real>& R_WB, const Quat<Real>& q_WB,
+                                  const Vec3<Real>& h_W, const Real& dt) {
   using S = ScalarOf<Real>;
-  const Eigen::Vector3d& inertia = body.inertia;
-  if (inertia.x() == inertia.y() && inertia.y() == inertia.z()) {
-    return Real(S(1 / inertia.x())) * h_W;
-  }
+  if (IsSpherical(body.inertia)) return ToLanes<Real>(1 / body.inertia.x()) * h_W;
   const Vec3<Real> predicted = AngularVelocity(body, R_WB, h_W);
   const Quat<Real> q_mid = Rotated(q_WB, Real(S(0.5)) * dt * predicted);
   return AngularVelocity(body, RotationMatrix(q_mid), h_W);
 }
 
-template <class Real>
-void IntegrateBodies(const VehicleModel& model, double gravity, double step,
-                     const Workspace<Real>& work, EngineState<Real>& state) {
+template <class Real, class Model>
+void IntegrateBodies(const Model& model, double gravity, double step, const Workspace<Real>& work,
+                     EngineState<Real>& state) {
   using S = ScalarOf<Real>;
   const Real dt{S(step)};
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {
-    const BodyModel& body = model.bodies[i];
+    const auto& body = model.bodies[i];
     const Wrench<Real>& wrench = work.wrench[i];
     BodyState<Real>& b = state.bodies[i];
-    b.v_WB += Real(S(step / body.mass)) * wrench.f_W;
-    b.v_WB.z = b.v_WB.z - Real(S(gravity * step));
+    b.v_WB += ToLanes<Real>(step / body.mass) * wrench.f_W;
+    b.v_WB.z = b.v_WB.z - ToLanes<Real>(gravity * step);
     b.h_WB += dt * wrench.t_W;
     b.w_WB = MidStepAngularVelocity(body, work.R_WB[i], b.q_WB, b.h_WB, dt);
     b.p_WB += dt * b.v_WB;

@@ -24,38 +24,38 @@ inline constexpr double kHardSoilMobility = 80.0;
 /// Loads below this are treated as this in quotients; the forces still vanish with the load.
 inline constexpr double kLeastLoad = 1.0;  // [N]
 
-template <class Real>
-Real MobilityNumber(const Real& cone_index, const Real& load, const Real& deflection, double width,
-                    double diameter, double section_height) {
+template <class Real, class Number>
+Real MobilityNumber(const Real& cone_index, const Real& load, const Real& deflection,
+                    const Number& width, const Number& diameter, const Number& section_height) {
   using S = ScalarOf<Real>;
-  const Real numeric = cone_index * Real(S(width * diameter)) / Max(load, Real(S(kLeastLoad)));
-  const Real shape = (Real(1) + deflection * Real(S(5.0 / section_height))) *
-                     Real(S(1.0 / (1.0 + 3.0 * width / diameter)));
+  const Real numeric =
+      cone_index * ToLanes<Real>(width * diameter) / Max(load, Real(S(kLeastLoad)));
+  const Real shape = (Real(1) + deflection * ToLanes<Real>(5.0 / section_height)) *
+                     ToLanes<Real>(1.0 / (1.0 + 3.0 * width / diameter));
   return Min(numeric * shape, Real(S(kHardSoilMobility)));
 }
 
 /// The gross traction ratio that a wheel reaches at full slip, less ct.
-template <class Real>
-Real TractionCapacity(const BrixiusCoefficients& c, const Real& mobility) {
-  using S = ScalarOf<Real>;
-  return Real(S(c.traction_max)) * (Real(1) - Exp(Real(S(-c.mobility_rate)) * mobility));
+template <class Real, class Coefficients>
+Real TractionCapacity(const Coefficients& c, const Real& mobility) {
+  return ToLanes<Real>(c.traction_max) *
+         (Real(1) - Exp(ToLanes<Real>(-c.mobility_rate) * mobility));
 }
 
 /// Motion resistance ratio without ct; `slip` may be negative, its magnitude counts.
-template <class Real>
-Real SoilResistance(const BrixiusCoefficients& c, const Real& mobility, const Real& slip) {
-  using S = ScalarOf<Real>;
-  const Real b = Max(mobility, Real(S(1e-3)));
-  return Real(S(c.resistance_mobility)) / b + Real(S(c.resistance_slip)) * Abs(slip) / Sqrt(b);
+template <class Real, class Coefficients>
+Real SoilResistance(const Coefficients& c, const Real& mobility, const Real& slip) {
+  const Real b = Max(mobility, ToLanes<Real>(1e-3));
+  return ToLanes<Real>(c.resistance_mobility) / b +
+         ToLanes<Real>(c.resistance_slip) * Abs(slip) / Sqrt(b);
 }
 
 /// Rolling radius from the unloaded radius and the deflection (Brixius; terramechanics 1.4):
 /// r = 2.5 R L / (1.5 R + L) with L the static loaded radius.
-template <class Real>
-Real RollingRadius(double radius, const Real& deflection) {
-  using S = ScalarOf<Real>;
-  const Real loaded = Real(S(radius)) - deflection;
-  return Real(S(2.5 * radius)) * loaded / (Real(S(1.5 * radius)) + loaded);
+template <class Real, class Number>
+Real RollingRadius(const Number& radius, const Real& deflection) {
+  const Real loaded = ToLanes<Real>(radius) - deflection;
+  return ToLanes<Real>(2.5 * radius) * loaded / (ToLanes<Real>(1.5 * radius) + loaded);
 }
 
 }  // namespace dbd

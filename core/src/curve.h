@@ -10,12 +10,12 @@ namespace dbd {
 /// with them when there are fewer than two, or either column does not rise.
 CurveModel MakeCurve(const std::vector<double>& x, const std::vector<double>& y);
 
-template <class Real>
-Real EvaluateCurve(const CurveModel& curve, const Real& x) {
-  using S = ScalarOf<Real>;
-  Real sum = Real(S(curve.value)) + Real(S(curve.slope)) * (x - Real(S(curve.origin)));
-  for (const CurveModel::Hinge& hinge : curve.hinges) {
-    sum = sum + Real(S(hinge.slope_change)) * Max(x - Real(S(hinge.at)), Real(0));
+template <class Real, class Curve>
+Real EvaluateCurve(const Curve& curve, const Real& x) {
+  Real sum =
+      ToLanes<Real>(curve.value) + ToLanes<Real>(curve.slope) * (x - ToLanes<Real>(curve.origin));
+  for (const auto& hinge : curve.hinges) {
+    sum = sum + ToLanes<Real>(hinge.slope_change) * Max(x - ToLanes<Real>(hinge.at), Real(0));
   }
   return sum;
 }

@@ -9,16 +9,15 @@ namespace dbd {
 // The force elements that join bodies: links, suspension springs and axis joints. Each adds equal
 // and opposite forces to its two bodies.
 
-template <class Real>
-BodyPoint<Real> PointOn(const BodyState<Real>& body, const Mat3<Real>& R_WB,
-                        const Eigen::Vector3d& p_BP) {
+template <class Real, class Vector>
+BodyPoint<Real> PointOn(const BodyState<Real>& body, const Mat3<Real>& R_WB, const Vector& p_BP) {
   const Vec3<Real> lever = R_WB * Broadcast<Real>(p_BP);
   return {lever, body.p_WB + lever, body.v_WB + Cross(body.w_WB, lever)};
 }
 
 /// Brings the attachment points to the present pose and motion of their bodies.
-template <class Real>
-void MovePoints(const AttachmentPoints& attachments, const EngineState<Real>& state,
+template <class Real, class Attachments>
+void MovePoints(const Attachments& attachments, const EngineState<Real>& state,
                 Workspace<Real>& work) {
   const auto& points = attachments.points();
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -29,25 +28,24 @@ void MovePoints(const AttachmentPoints& attachments, const EngineState<Real>& st
 
 /// Stiff spring-dampers in the place of arms and joints: F = k (L - L0) + c dL/dt, tension
 /// positive (paper section 4.2).
-template <class Real>
-void AddLinkForces(const VehicleModel& model, const AttachmentPoints& attachments,
+template <class Real, class Model, class Attachments>
+void AddLinkForces(const Model& model, const Attachments& attachments,
                    const WheelControls<Real>& controls, Workspace<Real>& work) {
-  using S = ScalarOf<Real>;
   for (std::size_t i = 0; i < model.links.size(); ++i) {
-    const LinkModel& link = model.links[i];
-    const AttachmentPoints::LinkEnds ends = attachments.links()[i];
+    const auto& link = model.links[i];
+    const auto ends = attachments.links()[i];
     const BodyPoint<Real>&a = work.points[ends.a], &b = work.points[ends.b];
     const Vec3<Real> d = b.p - a.p;
     const Real length = Norm(d);
     const Vec3<Real> direction = (Real(1) / length) * d;
-    Real free_length{S(link.free_length)};
+    Real free_length = ToLanes<Real>(link.free_length);
     if (link.steered_wheel >= 0) {
       const Real sine = controls.steer_sine[link.steered_wheel];
-      free_length =
-          free_length + sine * (Real(S(link.steer_linear)) + sine * Real(S(link.steer_quadratic)));
+      free_length = free_length + sine * (ToLanes<Real>(link.steer_linear) +
+                                          sine * ToLanes<Real>(link.steer_quadratic));
     }
-    const Real tension = Real(S(link.stiffness)) * (length - free_length) +
-                         Real(S(link.damping)) * Dot(b.v - a.v, direction);
+    const Real tension = ToLanes<Real>(link.stiffness) * (length - free_length) +
+                         ToLanes<Real>(link.damping) * Dot(b.v - a.v, direction);
     const Vec3<Real> f = tension * direction;
     work.point_force[ends.a] += f;
     work.point_force[ends.b] -= f;
@@ -55,46 +53,49 @@ void AddLinkForces(const VehicleModel& model, const AttachmentPoints& attachment
   }
 }
 
+/// By how much a stop's stiffness grows per compression, of its stiffness at first contact [1/m].
+inline double StiffnessGrowth(const BumpStopModel& stop) {
+  return stop.progression > 0 ? 0.5 / stop.progression : 0;
+}
+
+inline bool HasStops(const SpringModel& spring) { return spring.bump_stop.stiffness != 0; }
+
 /// What the bump stops add to a spring's push; `rate`: of its length.
-template <class Real>
-Real StopForce(const BumpStopModel& stop, const Real& length, const Real& rate) {
-  using S = ScalarOf<Real>;
+template <class Real, class BumpStop>
+Real StopForce(const BumpStop& stop, const Real& length, const Real& rate) {
   const Real zero(0);
   const auto push = [&](const Real& squeezed, const Real& squeezing) {
     const Real u = Max(squeezed, zero);
-    const double bend = stop.progression > 0 ? 0.5 / stop.progression : 0;
-    const Real elastic = Real(S(stop.stiffness)) * u * (Real(1) + Real(S(bend)) * u);
-    return Clamp(elastic + Real(S(stop.damping)) * squeezing, zero, Real(2) * elastic);
+    const Real elastic =
+        ToLanes<Real>(stop.stiffness) * u * (Real(1) + ToLanes<Real>(StiffnessGrowth(stop)) * u);
+    return Clamp(elastic + ToLanes<Real>(stop.damping) * squeezing, zero, Real(2) * elastic);
   };
-  return push(Real(S(stop.shortest_length)) - length, Real(-1) * rate) -
-         push(length - Real(S(stop.longest_length)), rate);
+  return push(ToLanes<Real>(stop.shortest_length) - length, Real(-1) * rate) -
+         push(length - ToLanes<Real>(stop.longest_length), rate);
 }
 
 /// Spring and damper along the strut, compression positive.
-template <class Real>
-Real StrutForce(const SpringModel& spring, const Real& length, const Real& rate) {
-  using S = ScalarOf<Real>;
-  const Real deflection = Real(S(spring.free_length)) - length;
+template <class Real, class Spring>
+Real StrutForce(const Spring& spring, const Real& length, const Real& rate) {
+  const Real deflection = ToLanes<Real>(spring.free_length) - length;
   const Real elastic = spring.force_curve.given() ? EvaluateCurve(spring.force_curve, deflection)
-                                                  : Real(S(spring.stiffness)) * deflection;
+                                                  : ToLanes<Real>(spring.stiffness) * deflection;
   const Real viscous = spring.damping_curve.given()
                            ? EvaluateCurve(spring.damping_curve, Real(-1) * rate)
-                           : Real(S(-spring.damping)) * rate;
-  if (spring.bump_stop.stiffness == 0) return elastic + viscous;
+                           : ToLanes<Real>(-spring.damping) * rate;
+  if (!HasStops(spring)) return elastic + viscous;
   return elastic + viscous + StopForce(spring.bump_stop, length, rate);
 }
 
 /// Suspension springs and shock absorbers: the push of each at the present time, to be held.
-template <class Real>
-void UpdateSprings(const VehicleModel& model, const AttachmentPoints& attachments,
-                   Workspace<Real>& work) {
-  using S = ScalarOf<Real>;
+template <class Real, class Model, class Attachments>
+void UpdateSprings(const Model& model, const Attachments& attachments, Workspace<Real>& work) {
   for (std::size_t i = 0; i < model.springs.size(); ++i) {
-    const SpringModel& spring = model.springs[i];
-    const AttachmentPoints::SpringEnds ends = attachments.springs()[i];
+    const auto& spring = model.springs[i];
+    const auto ends = attachments.springs()[i];
     const BodyPoint<Real>&top = work.points[ends.top], &pivot = work.points[ends.pivot],
           &ball = work.points[ends.ball];
-    const Real f(S(spring.lever)), g(S(1 - spring.lever));
+    const Real f = ToLanes<Real>(spring.lever), g = ToLanes<Real>(1 - spring.lever);
     const Vec3<Real> d = g * pivot.p + f * ball.p - top.p;
     const Vec3<Real> rate = g * pivot.v + f * ball.v - top.v;
     const Real length = Norm(d);
@@ -105,22 +106,20 @@ void UpdateSprings(const VehicleModel& model, const AttachmentPoints& attachment
 }
 
 /// The held pushes, shared between pivot and wheel body by the lever.
-template <class Real>
-void AddSpringForces(const VehicleModel& model, const AttachmentPoints& attachments,
-                     Workspace<Real>& work) {
-  using S = ScalarOf<Real>;
+template <class Real, class Model, class Attachments>
+void AddSpringForces(const Model& model, const Attachments& attachments, Workspace<Real>& work) {
   for (std::size_t i = 0; i < model.springs.size(); ++i) {
-    const AttachmentPoints::SpringEnds ends = attachments.springs()[i];
+    const auto ends = attachments.springs()[i];
     const Vec3<Real> push = work.spring_push_W[i];
     work.point_force[ends.top] -= push;
-    work.point_force[ends.pivot] += Real(S(1 - model.springs[i].lever)) * push;
-    work.point_force[ends.ball] += Real(S(model.springs[i].lever)) * push;
+    work.point_force[ends.pivot] += ToLanes<Real>(1 - model.springs[i].lever) * push;
+    work.point_force[ends.ball] += ToLanes<Real>(model.springs[i].lever) * push;
   }
 }
 
 /// Sums the forces on each body's points into its wrench, which begins anew.
-template <class Real>
-void GatherPointForces(const AttachmentPoints& attachments, Workspace<Real>& work) {
+template <class Real, class Attachments>
+void GatherPointForces(const Attachments& attachments, Workspace<Real>& work) {
   for (std::size_t body = 0; body < work.wrench.size(); ++body) {
     Wrench<Real> sum{};
     for (std::size_t i = attachments.first()[body]; i < attachments.first()[body + 1]; ++i) {
@@ -132,20 +131,19 @@ void GatherPointForces(const AttachmentPoints& attachments, Workspace<Real>& wor
 
 /// Rotational constraints: with s = axis_a . axis_b and energy k (s - s0)^2 / 2 the torque on b is
 /// k (s - s0) (a x b), and the damper's c ds/dt (a x b).
-template <class Real>
-void AddJointTorques(const VehicleModel& model, const WheelControls<Real>& controls,
+template <class Real, class Model>
+void AddJointTorques(const Model& model, const WheelControls<Real>& controls,
                      const EngineState<Real>& state, Workspace<Real>& work) {
-  using S = ScalarOf<Real>;
-  for (const AxisJointModel& joint : model.joints) {
+  for (const auto& joint : model.joints) {
     const Vec3<Real> a = work.R_WB[joint.body_a] * Broadcast<Real>(joint.axis_a);
     const Vec3<Real> b = work.R_WB[joint.body_b] * Broadcast<Real>(joint.axis_b);
     const Vec3<Real> w_AB = state.bodies[joint.body_b].w_WB - state.bodies[joint.body_a].w_WB;
     const Vec3<Real> axis = Cross(a, b);
-    Real target(S(joint.rest));
+    Real target = ToLanes<Real>(joint.rest);
     if (joint.steered_wheel >= 0) target = target + controls.steer_sine[joint.steered_wheel];
     const Real rate = Real(-1) * Dot(w_AB, axis);
     const Real torque =
-        Real(S(joint.stiffness)) * (Dot(a, b) - target) + Real(S(joint.damping)) * rate;
+        ToLanes<Real>(joint.stiffness) * (Dot(a, b) - target) + ToLanes<Real>(joint.damping) * rate;
     const Vec3<Real> t = torque * axis;
     work.wrench[joint.body_b].t_W += t;
     work.wrench[joint.body_a].t_W -= t;

@@ -18,10 +18,10 @@ void LocateBodies(const EngineState<Real>& state, Workspace<Real>& work) {
 }
 
 /// Forces between bodies, into work.wrench; springs are held between their updates.
-template <class Real>
-void SetElementForces(const EngineModel& engine, const WheelControls<Real>& controls,
+template <class Real, class Engine>
+void SetElementForces(const Engine& engine, const WheelControls<Real>& controls,
                       const EngineState<Real>& state, Workspace<Real>& work) {
-  const VehicleModel& model = *engine.vehicle;
+  const auto& model = *engine.vehicle;
   MovePoints(engine.attachments, state, work);
   std::fill(work.point_force.begin(), work.point_force.end(), Vec3<Real>{});
   if (state.step % engine.spring_every == 0) UpdateSprings(model, engine.attachments, work);
@@ -32,25 +32,29 @@ void SetElementForces(const EngineModel& engine, const WheelControls<Real>& cont
 }
 
 /// All forces on all bodies at the present time, into work.wrench; spins and slips advance.
-template <class Real, class Surface>
-void EvaluateForces(const EngineModel& engine, const Surface& ground,
+template <class Real, class Engine, class Surface>
+void EvaluateForces(const Engine& engine, const Surface& ground,
                     const WheelControls<Real>& controls, EngineState<Real>& state,
                     Workspace<Real>& work) {
-  const VehicleModel& model = *engine.vehicle;
+  const auto& model = *engine.vehicle;
   LocateBodies(state, work);
   const bool sample_ground = state.step % engine.tire_every == 0;
-  if (sample_ground) SampleContacts(model, engine.patterns, ground, controls, work, state);
+  if (sample_ground) SampleContacts(engine, ground, controls, work, state);
   SetElementForces(engine, controls, state, work);
   AddContactsAndLoads(model, ground, engine.step, sample_ground, state, work);
   AddTireForces(engine, controls, engine.step, state, work);
 }
 
+/// The numbers of one vehicle stand in one lane: nothing to bring together.
+template <class Real>
+void JoinLanes(const EngineModel& /*engine*/, Workspace<Real>& /*work*/) {}
+
 /// One construction step of one vehicle, or of one pack of vehicles.
-template <class Real, class Surface>
-void StepEngine(const EngineModel& engine, const Surface& ground,
-                const WheelControls<Real>& controls, EngineState<Real>& state,
-                Workspace<Real>& work) {
+template <class Real, class Engine, class Surface>
+void StepEngine(const Engine& engine, const Surface& ground, const WheelControls<Real>& controls,
+                EngineState<Real>& state, Workspace<Real>& work) {
   EvaluateForces(engine, ground, controls, state, work);
+  JoinLanes(engine, work);
   IntegrateBodies(*engine.vehicle, engine.gravity, engine.step, work, state);
   ++state.step;
 }

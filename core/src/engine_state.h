@@ -126,7 +126,8 @@ struct Workspace {
   std::vector<Real> contact_force;   // normal [N]
   std::vector<Real> friction_force;  // [N] or [N m]
 
-  explicit Workspace(const VehicleModel& model)
+  template <class Model>
+  explicit Workspace(const Model& model)
       : R_WB(model.bodies.size()),
         wrench(model.bodies.size()),
         points(AttachmentPoints::Most(model)),

@@ -17,8 +17,7 @@ using HeldWrenches = std::vector<Wrench<double>>;
 inline void UpdateHeldTires(const EngineModel& engine, const Ground& ground,
                             const WheelControls<double>& controls, EngineState<double>& state,
                             Workspace<double>& work, HeldWrenches& held) {
-  const VehicleModel& model = *engine.vehicle;
-  SampleContacts(model, engine.patterns, ground, controls, work, state);
+  SampleContacts(engine, ground, controls, work, state);
   held = work.wrench;
   AddTireForces(engine, controls, engine.step * engine.tire_every, state, work);
   for (std::size_t i = 0; i < held.size(); ++i) {

@@ -23,6 +23,8 @@
 #include <concepts>
 #include <cstdint>
 #include <cstring>
+#include <functional>
+#include <limits>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -30,6 +32,7 @@
 #include <vector>
 
 #include "attachment_points.h"
+#include "corners.h"
 #include "engine_model.h"
 #include "tire_pattern.h"
 

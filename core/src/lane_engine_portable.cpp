@@ -1,3 +1,4 @@
+#include "corner_engine_pack.h"
 #include "lane_engine_pack.h"
 
 namespace dbd {
@@ -6,6 +7,11 @@ std::unique_ptr<LaneEngine> MakePortableLanes(bool doubles, const VehicleModel& 
                                               const Ground& ground) {
   if (doubles) return std::make_unique<PackEngine<Pack<double, 2>>>(vehicle, ground);
   return std::make_unique<PackEngine<Pack<float, 4>>>(vehicle, ground);
+}
+
+std::unique_ptr<CornerEngine> MakePortableCorners(const EngineModel& engine, const Corners& corners,
+                                                  const Ground& ground) {
+  return std::make_unique<PackCornerEngine<CornerPack>>(engine, corners, ground);
 }
 
 }  // namespace dbd

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 
 #include "scalar.h"
 
@@ -21,6 +22,7 @@ namespace dbd {
 /// Which instruction set this translation unit compiles packs for. It is a part of their type: a
 /// function over packs that is compiled in two translation units is then two functions, and the
 /// linker cannot put the one for a wider processor in the place of the other.
+/// (GCC 12 does not define __AVX__ and its like after its pragma for C++.)
 #ifndef DBD_PACK_TARGET
 #define DBD_PACK_TARGET 0
 #endif
@@ -96,6 +98,40 @@ PackMask<T, N> operator>(const Pack<T, N>& a, const Pack<T, N>& b) {
   return {a.v > b.v};
 }
 
+// With a constant, for numbers of the model.
+template <class T, int N>
+Pack<T, N> operator+(std::type_identity_t<T> a, const Pack<T, N>& b) {
+  return Pack<T, N>(a + b.v);
+}
+template <class T, int N>
+Pack<T, N> operator-(std::type_identity_t<T> a, const Pack<T, N>& b) {
+  return Pack<T, N>(a - b.v);
+}
+template <class T, int N>
+Pack<T, N> operator*(std::type_identity_t<T> a, const Pack<T, N>& b) {
+  return Pack<T, N>(a * b.v);
+}
+template <class T, int N>
+Pack<T, N> operator/(std::type_identity_t<T> a, const Pack<T, N>& b) {
+  return Pack<T, N>(a / b.v);
+}
+template <class T, int N>
+Pack<T, N> operator*(const Pack<T, N>& a, std::type_identity_t<T> b) {
+  return Pack<T, N>(a.v * b);
+}
+template <class T, int N>
+Pack<T, N> operator/(const Pack<T, N>& a, std::type_identity_t<T> b) {
+  return Pack<T, N>(a.v / b);
+}
+template <class T, int N>
+Pack<T, N> operator-(const Pack<T, N>& a) {
+  return Pack<T, N>(-a.v);
+}
+template <class T, int N>
+T NumberOf(const Pack<T, N>& pack, int lane) {
+  return pack.v[lane];
+}
+
 template <class T, int N>
 Pack<T, N> Select(const PackMask<T, N>& mask, const Pack<T, N>& yes, const Pack<T, N>& no) {
   return Pack<T, N>(mask.v ? yes.v : no.v);
@@ -110,7 +146,9 @@ Pack<T, N> Max(const Pack<T, N>& a, const Pack<T, N>& b) {
 }
 template <class T, int N>
 Pack<T, N> Abs(const Pack<T, N>& a) {
-  return Pack<T, N>(a.v < 0 ? -a.v : a.v);
+  constexpr auto kAllButSign = std::numeric_limits<LaneInteger<T>>::max();
+  const auto bits = __builtin_bit_cast(typename Pack<T, N>::Integers, a.v) & kAllButSign;
+  return Pack<T, N>(__builtin_bit_cast(typename Pack<T, N>::Vector, bits));
 }
 template <class T, int N>
 Pack<T, N> Sqrt(const Pack<T, N>& a) {
@@ -121,13 +159,13 @@ Pack<T, N> Sqrt(const Pack<T, N>& a) {
 template <class T, int N>
 bool AnyOf(const PackMask<T, N>& mask) {
   constexpr std::size_t kBytes = N * sizeof(T);
-#ifdef __AVX512F__
+#if DBD_PACK_TARGET >= 512
   if constexpr (kBytes == 64) {
     const auto bits = __builtin_bit_cast(__m512i, mask.v);
     return _mm512_test_epi32_mask(bits, bits) != 0;
   }
 #endif
-#ifdef __AVX__
+#if DBD_PACK_TARGET >= 2
   if constexpr (kBytes == 32) {
     const auto bits = __builtin_bit_cast(__m256i, mask.v);
     return _mm256_testz_si256(bits, bits) == 0;

@@ -42,13 +42,13 @@ void SampleTangentPlane(const Surface& ground, const Mat3<Real>& R_WB, const Vec
 
 /// Samples the ground under every contact point that may touch it before the next sample; a point
 /// high above all ground around counts as over a level plane.
-template <class Real, class Surface>
-void SamplePointContacts(const VehicleModel& model, const Surface& ground,
-                         const Workspace<Real>& work, EngineState<Real>& state) {
+template <class Real, class Model, class Surface>
+void SamplePointContacts(const Model& model, const Surface& ground, const Workspace<Real>& work,
+                         EngineState<Real>& state) {
   using S = ScalarOf<Real>;
   constexpr double kHigh = 0.15;  // [m] more than a body falls or tips in one tire step
   for (std::size_t i = 0; i < model.contacts.size(); ++i) {
-    const ContactModel& contact = model.contacts[i];
+    const auto& contact = model.contacts[i];
     const Mat3<Real>& R_WB = work.R_WB[contact.body];
     const Vec3<Real> p = PointOn(state.bodies[contact.body], R_WB, contact.p_B).p;
     Real highest;
@@ -68,36 +68,35 @@ void SamplePointContacts(const VehicleModel& model, const Surface& ground,
 }
 
 /// Tangential force of a bristle under the normal force `push`; the bristle yields where needed.
-template <class Real>
-Vec3<Real> BristleForce(const ContactModel& contact, const Vec3<Real>& v_slide, const Real& push,
+template <class Real, class Contact>
+Vec3<Real> BristleForce(const Contact& contact, const Vec3<Real>& v_slide, const Real& push,
                         double step, PointContactState<Real>& state) {
   using S = ScalarOf<Real>;
   const Vec3<Real>& n = state.normal_W;
-  Vec3<Real> bristle = state.bristle_W + Real(S(step)) * v_slide;
+  Vec3<Real> bristle = state.bristle_W + ToLanes<Real>(step) * v_slide;
   bristle -= Dot(bristle, n) * n;
-  const Real stiffness{S(contact.tangential_stiffness)};
-  const Real most = Real(S(contact.friction)) * push;
+  const Real stiffness = ToLanes<Real>(contact.tangential_stiffness);
+  const Real most = ToLanes<Real>(contact.friction) * push;
   const Real tiny{S(1e-12)};
   const Real stretch = Norm(bristle);
   bristle = Min(Real(1), most / Max(stiffness * stretch, tiny)) * bristle;
   state.bristle_W = bristle;
   const Vec3<Real> f =
-      Real(-1) * (stiffness * bristle + Real(S(contact.tangential_damping)) * v_slide);
+      Real(-1) * (stiffness * bristle + ToLanes<Real>(contact.tangential_damping) * v_slide);
   return Min(Real(1), most / Max(Norm(f), tiny)) * f;
 }
 
-template <class Real>
-void AddContactForces(const VehicleModel& model, double step, EngineState<Real>& state,
+template <class Real, class Model>
+void AddContactForces(const Model& model, double step, EngineState<Real>& state,
                       Workspace<Real>& work) {
-  using S = ScalarOf<Real>;
   for (std::size_t i = 0; i < model.contacts.size(); ++i) {
-    const ContactModel& contact = model.contacts[i];
+    const auto& contact = model.contacts[i];
     PointContactState<Real>& c = state.contacts[i];
     const auto point = PointOn(state.bodies[contact.body], work.R_WB[contact.body], contact.p_B);
     const Real depth = Dot(c.p_WG - point.p, c.normal_W);
     const Real rate = Real(-1) * Dot(point.v, c.normal_W);
-    const Real elastic = Real(S(contact.stiffness)) * depth;
-    const Real push = elastic + Real(S(contact.damping)) * rate;
+    const Real elastic = ToLanes<Real>(contact.stiffness) * depth;
+    const Real push = elastic + ToLanes<Real>(contact.damping) * rate;
     const Real zero(0);
     // The damper at most doubles the elastic force and never pulls: no jump at first touch.
     const Real normal = Select(depth > zero, Clamp(push, zero, Real(2) * elastic), zero);
@@ -109,12 +108,11 @@ void AddContactForces(const VehicleModel& model, double step, EngineState<Real>&
 }
 
 /// Dry friction between two bodies.
-template <class Real>
-void AddFrictionForces(const VehicleModel& model, double step, EngineState<Real>& state,
+template <class Real, class Model>
+void AddFrictionForces(const Model& model, double step, EngineState<Real>& state,
                        Workspace<Real>& work) {
-  using S = ScalarOf<Real>;
   for (std::size_t i = 0; i < model.frictions.size(); ++i) {
-    const FrictionModel& friction = model.frictions[i];
+    const auto& friction = model.frictions[i];
     const BodyState<Real>& a = state.bodies[friction.body_a];
     const BodyState<Real>& b = state.bodies[friction.body_b];
     const Vec3<Real> axis = work.R_WB[friction.body_a] * Broadcast<Real>(friction.axis_a);
@@ -123,10 +121,12 @@ void AddFrictionForces(const VehicleModel& model, double step, EngineState<Real>
     const bool slides = friction.motion == FrictionModel::Motion::kSliding;
     const Real rate =
         slides ? Dot(on_b.v - a.v_WB - Cross(a.w_WB, lever_a), axis) : Dot(b.w_WB - a.w_WB, axis);
-    const Real limit{S(friction.limit)}, give{S(friction.limit / friction.stiffness)};
-    state.frictions[i] = Clamp(state.frictions[i] + Real(S(step)) * rate, Real(-1) * give, give);
-    const Real wanted =
-        Real(S(friction.stiffness)) * state.frictions[i] + Real(S(friction.damping)) * rate;
+    const Real limit = ToLanes<Real>(friction.limit);
+    const Real give = ToLanes<Real>(friction.limit / friction.stiffness);
+    state.frictions[i] =
+        Clamp(state.frictions[i] + ToLanes<Real>(step) * rate, Real(-1) * give, give);
+    const Real wanted = ToLanes<Real>(friction.stiffness) * state.frictions[i] +
+                        ToLanes<Real>(friction.damping) * rate;
     const Real size = Real(-1) * Clamp(wanted, Real(-1) * limit, limit);  // on b
     const Vec3<Real> action = size * axis;
     if (slides) {
@@ -140,9 +140,9 @@ void AddFrictionForces(const VehicleModel& model, double step, EngineState<Real>
   }
 }
 
-template <class Real>
-void AddAppliedLoads(const VehicleModel& model, Workspace<Real>& work) {
-  for (const AppliedLoadModel& load : model.loads) {
+template <class Real, class Model>
+void AddAppliedLoads(const Model& model, Workspace<Real>& work) {
+  for (const auto& load : model.loads) {
     const Mat3<Real>& R_WB = work.R_WB[load.body];
     const Vec3<Real> force = Broadcast<Real>(load.force), torque = Broadcast<Real>(load.torque);
     work.wrench[load.body].Add(load.turns_with_body ? R_WB * force : force,
@@ -152,9 +152,9 @@ void AddAppliedLoads(const VehicleModel& model, Workspace<Real>& work) {
 }
 
 /// All of the above; costs nothing for a vehicle without them.
-template <class Real, class Surface>
-void AddContactsAndLoads(const VehicleModel& model, const Surface& ground, double step,
-                         bool sample_ground, EngineState<Real>& state, Workspace<Real>& work) {
+template <class Real, class Model, class Surface>
+void AddContactsAndLoads(const Model& model, const Surface& ground, double step, bool sample_ground,
+                         EngineState<Real>& state, Workspace<Real>& work) {
   if (sample_ground) SamplePointContacts(model, ground, work, state);
   AddContactForces(model, step, state, work);
   AddFrictionForces(model, step, state, work);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <concepts>
+#include <type_traits>
 
 namespace dbd {
 
@@ -21,6 +22,22 @@ struct LaneTraits {
 
 template <class Real>
 using ScalarOf = typename LaneTraits<Real>::Scalar;
+
+/// A number of the model, for all lanes: one that they share, or a pack with one for each.
+template <class Real, class Number>
+Real ToLanes(const Number& number) {
+  if constexpr (std::is_same_v<Real, Number>) {
+    return number;
+  } else {
+    return Real(static_cast<ScalarOf<Real>>(number));
+  }
+}
+
+/// The number of one lane.
+template <std::floating_point T>
+T NumberOf(T number, int /*lane*/) {
+  return number;
+}
 
 template <std::floating_point T>
 T Select(bool mask, T yes, T no) {

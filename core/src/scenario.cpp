@@ -43,8 +43,9 @@ Scenario MakeScenario(const std::string& name, std::uint64_t seed) {
   return scenario;
 }
 
-Simulation StartScenario(const Scenario& scenario, const VehicleModel& vehicle) {
-  Simulation simulation(vehicle, *scenario.ground);
+Simulation StartScenario(const Scenario& scenario, const VehicleModel& vehicle,
+                         const SimulationOptions& options) {
+  Simulation simulation(vehicle, *scenario.ground, options);
   simulation.Place(Eigen::Vector2d::Zero(), 0);
   return simulation;
 }

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "corner_engine.h"
 #include "engine.h"
 #include "flatten.h"
 #include "guide_force.h"
@@ -16,12 +17,15 @@ namespace dbd {
 
 struct Simulation::Impl {
   Impl(const VehicleModel& model, const Ground& surface, const SimulationOptions& simulation)
-      : vehicle(model), ground(surface), options(simulation), engine(model), work(model) {}
+      : vehicle(model), ground(surface), options(simulation), engine(model), work(model) {
+    if (options.wheel_lanes && IsPlain()) corners = MakeCornerEngine(engine, ground);
+  }
 
   const VehicleModel& vehicle;
   const Ground& ground;
   SimulationOptions options;
   EngineModel engine;
+  std::unique_ptr<CornerEngine> corners;  // steps in the place of `state`, which it fills
   EngineState<double> state;
   Workspace<double> work;
   HeldWrenches held_tires;
@@ -30,12 +34,16 @@ struct Simulation::Impl {
   double energy = 0;
   Vec3<double> last_v_WB{};  // of the chassis, one control step ago
 
+  bool IsPlain() const {
+    return options.tire == TireKind::kFull && options.tire_scheme == TireScheme::kSplit &&
+           !options.guide;
+  }
+
   double Time() const { return static_cast<double>(state.step) * engine.step; }
 
   /// Flattened: a twentieth fewer instructions.
   DBD_FLATTEN void Step() {
-    const bool plain = options.tire == TireKind::kFull && options.tire_scheme == TireScheme::kSplit;
-    if (plain && !options.guide) {
+    if (IsPlain()) {
       StepEngine(engine, ground, controls, state, work);
     } else {
       StepOnRig();
@@ -43,6 +51,8 @@ struct Simulation::Impl {
   }
 
   void StepOnRig();
+  void Settle(std::int64_t steps);
+  void DriveInterval();
 
   /// Braking by the engine gives nothing back.
   void AddEnergy() {
@@ -51,6 +61,35 @@ struct Simulation::Impl {
     }
   }
 };
+
+void Simulation::Impl::Settle(std::int64_t steps) {
+  const double keep = 1 - kSettlingRate * engine.step;
+  if (corners) {
+    corners->SetState(state);
+    for (std::int64_t i = 0; i < steps; i += engine.control_every) corners->Advance(controls, keep);
+    corners->Read(state, work);
+    state.step = 0;
+    corners->SetState(state);
+    return;
+  }
+  for (std::int64_t i = 0; i < steps; ++i) {
+    Step();
+    DampMotion(keep, state);
+  }
+  state.step = 0;
+}
+
+void Simulation::Impl::DriveInterval() {
+  if (corners) {
+    energy += corners->Advance(controls, 1);
+    corners->Read(state, work);
+    return;
+  }
+  for (int i = 0; i < engine.control_every; ++i) {
+    Step();
+    AddEnergy();
+  }
+}
 
 /// The step of comparisons: another tire or scheme, or forces of a test rig.
 void Simulation::Impl::StepOnRig() {
@@ -81,12 +120,7 @@ void Simulation::Place(const Eigen::Vector2d& position, double heading, double s
   s.state = InitialState<double>(s.vehicle, s.ground, position, heading);
   s.powertrain = {};
   s.controls = HeldByBrakes(s.vehicle);
-  const std::int64_t steps = s.engine.SettlingSteps(settle_time);
-  for (std::int64_t i = 0; i < steps; ++i) {
-    s.Step();
-    DampMotion(1 - kSettlingRate * s.engine.step, s.state);
-  }
-  s.state.step = 0;
+  s.Settle(s.engine.SettlingSteps(settle_time));
   s.energy = 0;
   s.last_v_WB = s.state.bodies[0].v_WB;
 }
@@ -95,10 +129,7 @@ void Simulation::Advance(const DriverCommand& command) {
   Impl& s = *impl_;
   SetControls(s.vehicle, command, SpinsOf(s.state), control_step(), s.powertrain, s.controls);
   s.last_v_WB = s.state.bodies[0].v_WB;
-  for (int i = 0; i < s.engine.control_every; ++i) {
-    s.Step();
-    s.AddEnergy();
-  }
+  s.DriveInterval();
 }
 
 double Simulation::time() const { return impl_->Time(); }
@@ -134,6 +165,8 @@ double Simulation::VerticalAcceleration() const {
   const BodyState<double>& body = impl_->state.bodies[0];
   return Dot(body.v_WB - impl_->last_v_WB, RotationMatrix(body.q_WB).z) / control_step();
 }
+
+bool Simulation::wheel_lanes() const { return impl_->corners != nullptr; }
 
 bool Simulation::IsSane() const { return StateIsSane(impl_->vehicle, impl_->state, impl_->work); }
 

@@ -17,8 +17,8 @@ struct TireSize {
 SoilRule<double> BekkerRule(const BekkerSoil& soil, const TireSize& tire, double deflection);
 
 /// `soil`: one per lane.
-template <class Real>
-SoilRule<Real> MakeSoilRule(const SoilSample* soil, const TireSize& tire, const Real& deflection) {
+template <class Real, class Pattern>
+SoilRule<Real> MakeSoilRule(const SoilSample* soil, const Pattern& tire, const Real& deflection) {
   using S = ScalarOf<Real>;
   using Lanes = LaneTraits<Real>;
   S deflections[Lanes::kLanes], model[Lanes::kLanes];
@@ -27,7 +27,9 @@ SoilRule<Real> MakeSoilRule(const SoilSample* soil, const TireSize& tire, const 
   for (int i = 0; i < Lanes::kLanes; ++i) {
     SoilRule<double> rule{static_cast<double>(soil[i].traction_model), 0, 0, 0};
     if (soil[i].traction_model == TractionModel::kBekker) {
-      rule = BekkerRule(soil[i].plate, tire, static_cast<double>(deflections[i]));
+      const TireSize size{NumberOf(tire.width, i), 2 * NumberOf(tire.radius, i),
+                          NumberOf(tire.stiffness, i)};
+      rule = BekkerRule(soil[i].plate, size, static_cast<double>(deflections[i]));
     }
     model[i] = static_cast<S>(rule.model);
     capacity[i] = static_cast<S>(rule.capacity);

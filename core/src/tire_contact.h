@@ -53,26 +53,26 @@ struct SegmentSums {
 
 /// Adds plane `j` of segment `i`: penetration p(t) = p0 + b t - q t^2 for t in [0, 1], counted
 /// where it is positive.
-template <class Real>
-void AddSegment(const TirePattern& pattern, int i, int j, const PointRow<Real>& here,
+template <class Real, class Pattern>
+void AddSegment(const Pattern& pattern, int i, int j, const PointRow<Real>& here,
                 const PointRow<Real>& next, SegmentSums<Real>& row, ContactSums<Real>& sums) {
   using S = ScalarOf<Real>;
   const Real p0 = here.penetration[j];
   const Real change = next.penetration[j] - p0;
-  const Real q{S(pattern.bulge[i])};
+  const Real q = ToLanes<Real>(pattern.bulge[i]);
   const Real b = change + q;
-  const Real disc = b * b + Real(S(4 * pattern.bulge[i])) * p0;
+  const Real disc = b * b + ToLanes<Real>(4 * pattern.bulge[i]) * p0;
   if (!AnyOf(disc > Real(0))) return;
   const Real root = Sqrt(Max(disc, Real(0)));
-  const Real scale{S(pattern.half_by_bulge[i])};
+  const Real scale = ToLanes<Real>(pattern.half_by_bulge[i]);
   const Real t0 = Clamp((b - root) * scale, Real(0), Real(1));
   const Real t1 = Clamp((b + root) * scale, Real(0), Real(1));
   const Real both = t0 + t1;
-  const Real half_b = Real(S(0.5)) * b, third_q{S(pattern.bulge[i] / 3)};
+  const Real half_b = Real(S(0.5)) * b, third_q = ToLanes<Real>(pattern.bulge[i] / 3);
   const Real mean = p0 + half_b * both - third_q * (both * both - t0 * t1);
-  const Real area = Real(S(pattern.length[i])) * Max((t1 - t0) * mean, Real(0));
+  const Real area = ToLanes<Real>(pattern.length[i]) * Max((t1 - t0) * mean, Real(0));
   const Real t = Real(S(0.5)) * both;
-  const Real rise = Real(S(pattern.z[i + 1] - pattern.z[i])) + change;
+  const Real rise = ToLanes<Real>(pattern.z[i + 1] - pattern.z[i]) + change;
   sums.area[j] = sums.area[j] + area;
   row.area = row.area + area;
   row.along = row.along + area * t;
@@ -81,29 +81,29 @@ void AddSegment(const TirePattern& pattern, int i, int j, const PointRow<Real>& 
 }
 
 /// Adds segment `i`, all planes.
-template <class Real>
-void AddSegments(const TirePattern& pattern, int i, const PointRow<Real>& here,
+template <class Real, class Pattern>
+void AddSegments(const Pattern& pattern, int i, const PointRow<Real>& here,
                  const PointRow<Real>& next, ContactSums<Real>& sums) {
   using S = ScalarOf<Real>;
   SegmentSums<Real> row;
   for (int j = 0; j < kTirePlanes; ++j) AddSegment(pattern, i, j, here, next, row, sums);
   if (!AnyOf(row.area > Real(0))) return;
-  sums.x = sums.x + Real(S(pattern.x[i])) * row.area + Real(S(pattern.length[i])) * row.along;
-  sums.z = sums.z + Real(S(pattern.z[i])) * row.area + row.height;
-  sums.slope_x = sums.slope_x + Real(S(pattern.by_length[i])) * row.rise;
+  sums.x = sums.x + ToLanes<Real>(pattern.x[i]) * row.area +
+           ToLanes<Real>(pattern.length[i]) * row.along;
+  sums.z = sums.z + ToLanes<Real>(pattern.z[i]) * row.area + row.height;
+  sums.slope_x = sums.slope_x + ToLanes<Real>(pattern.by_length[i]) * row.rise;
   sums.slope_y = sums.slope_y + row.area * (Real(S(0.5)) * (here.slope_y + next.slope_y));
 }
 
 /// From vertical penetrations to the tire frame. A ground point lies above or below its tire point
 /// by the vertical penetration p; seen in the tire frame it is p z_t.z higher and p y_t.z further
 /// left, and the slope across the planes brings it back over the tire point.
-template <class Real>
+template <class Real, class Number>
 PointRow<Real> ToTireFrame(const std::array<Real, kTirePlanes>& vertical, const Mat3<Real>& R_WT,
-                           double half_span) {
-  using S = ScalarOf<Real>;
+                           const Number& half_span) {
   const Real rise = vertical[2] - vertical[0];
   PointRow<Real> row;
-  row.slope_y = rise * R_WT.z.z / (Real(S(2 * half_span)) + rise * R_WT.y.z);
+  row.slope_y = rise * R_WT.z.z / (ToLanes<Real>(2 * half_span) + rise * R_WT.y.z);
   const Real factor = R_WT.z.z - row.slope_y * R_WT.y.z;
   for (int j = 0; j < kTirePlanes; ++j) row.penetration[j] = vertical[j] * factor;
   return row;
@@ -117,17 +117,18 @@ struct RowRange {
 
 /// The rows that can touch ground which is nowhere above the plane `bound`, in any lane, and one
 /// more to each side for the segments in between.
-template <class Real>
-RowRange ActiveRows(const TirePattern& pattern, const Mat3<Real>& R_WT, const Vec3<Real>& p_WH,
+template <class Real, class Pattern>
+RowRange ActiveRows(const Pattern& pattern, const Mat3<Real>& R_WT, const Vec3<Real>& p_WH,
                     const GroundPlane<Real>& bound) {
   using S = ScalarOf<Real>;
   constexpr double kBulgeMargin = 1.01;  // the circle lies up to 0.6 % below its points' chords
   const Vec3<Real> up{Real(-1) * bound.slope_x, Real(-1) * bound.slope_y, Real(1)};
-  const Real hub = p_WH.z - bound.height - Real(S(pattern.half_span)) * Abs(Dot(up, R_WT.y));
+  const Real hub = p_WH.z - bound.height - ToLanes<Real>(pattern.half_span) * Abs(Dot(up, R_WT.y));
   const Real along = Real(S(kBulgeMargin)) * Dot(up, R_WT.x);
   const Real upward = Real(S(kBulgeMargin)) * Dot(up, R_WT.z);
   const auto touches = [&](int i) {
-    const Real height = hub + Real(S(pattern.x[i])) * along + Real(S(pattern.z[i])) * upward;
+    const Real height =
+        hub + ToLanes<Real>(pattern.x[i]) * along + ToLanes<Real>(pattern.z[i]) * upward;
     return AnyOf(height < Real(0));
   };
   const int end = pattern.count - 1;
@@ -148,17 +149,16 @@ template <class Real>
 using RowHeights = std::array<Real, kTirePlanes>;
 
 /// Of `count` rows from `first` on.
-template <class Real, class Surface>
-void VerticalPenetrations(const TirePattern& pattern, const Surface& ground, const Mat3<Real>& R_WT,
+template <class Real, class Pattern, class Surface>
+void VerticalPenetrations(const Pattern& pattern, const Surface& ground, const Mat3<Real>& R_WT,
                           const Vec3<Real>& p_WH, int first, int count, RowHeights<Real>* rows) {
-  using S = ScalarOf<Real>;
   constexpr int kMost = kRowsAtOnce<Real> * kTirePlanes;
   Real x[kMost], y[kMost], z[kMost], tire_z[kMost];
-  const Vec3<Real> across = Real(S(pattern.half_span)) * R_WT.y;
+  const Vec3<Real> across = ToLanes<Real>(pattern.half_span) * R_WT.y;
   const std::array<Vec3<Real>, kTirePlanes> centers = {p_WH - across, p_WH, p_WH + across};
   for (int i = 0; i < count; ++i) {
     const Vec3<Real> down =
-        Real(S(pattern.x[first + i])) * R_WT.x + Real(S(pattern.z[first + i])) * R_WT.z;
+        ToLanes<Real>(pattern.x[first + i]) * R_WT.x + ToLanes<Real>(pattern.z[first + i]) * R_WT.z;
     for (int j = 0; j < kTirePlanes; ++j) {
       const Vec3<Real> p = centers[j] + down;
       x[i * kTirePlanes + j] = p.x;
@@ -176,18 +176,18 @@ void VerticalPenetrations(const TirePattern& pattern, const Surface& ground, con
 
 /// Deflection of a tire on flat ground that displaces the same area: A = (4/3) sqrt(2R) d^1.5
 /// (1 - 3d/20R), inverted.
-template <class Real>
-Real EquivalentDeflection(const Real& area, double radius) {
+template <class Real, class Number>
+Real EquivalentDeflection(const Real& area, const Number& radius) {
   using S = ScalarOf<Real>;
-  const Real scaled = area * Real(S(0.75 / (std::numbers::sqrt2 * radius * radius)));
+  const Real scaled = area * ToLanes<Real>(0.75 / (std::numbers::sqrt2 * radius * radius));
   const Real root = Cbrt(scaled);
   const Real ratio = root * root;
-  return Real(S(radius)) * ratio * (Real(1) + Real(S(0.1)) * ratio);
+  return ToLanes<Real>(radius) * ratio * (Real(1) + Real(S(0.1)) * ratio);
 }
 
 /// Of the lanes that touch the ground.
-template <class Real, class Surface, class Mask>
-void SetContactSoil(const TirePattern& pattern, const Surface& ground, const Mask& touching,
+template <class Real, class Pattern, class Surface, class Mask>
+void SetContactSoil(const Pattern& pattern, const Surface& ground, const Mask& touching,
                     TireContact<Real>& contact) {
   using S = ScalarOf<Real>;
   constexpr int kLanes = LaneTraits<Real>::kLanes;
@@ -202,17 +202,16 @@ void SetContactSoil(const TirePattern& pattern, const Surface& ground, const Mas
   const auto set = [&](const Real& value, Real& kept) { kept = Select(touching, value, kept); };
   set(LaneTraits<Real>::Load(cone_index), contact.cone_index);
   set(LaneTraits<Real>::Load(friction), contact.friction_limit);
-  const SoilRule<Real> rule = MakeSoilRule(
-      soil, {pattern.width, 2 * pattern.radius, pattern.stiffness}, contact.deflection);
+  const SoilRule<Real> rule = MakeSoilRule(soil, pattern, contact.deflection);
   set(rule.model, contact.rule.model);
   set(rule.capacity, contact.rule.capacity);
   set(rule.shear_rate, contact.rule.shear_rate);
   set(rule.resistance, contact.rule.resistance);
 }
 
-template <class Real, class Surface>
-ContactSums<Real> SumContact(const TirePattern& pattern, const Surface& ground,
-                             const Mat3<Real>& R_WT, const Vec3<Real>& p_WH, const RowRange& rows) {
+template <class Real, class Pattern, class Surface>
+ContactSums<Real> SumContact(const Pattern& pattern, const Surface& ground, const Mat3<Real>& R_WT,
+                             const Vec3<Real>& p_WH, const RowRange& rows) {
   RowHeights<Real> vertical[kRowsAtOnce<Real>];
   ContactSums<Real> sums;
   PointRow<Real> here;
@@ -229,14 +228,14 @@ ContactSums<Real> SumContact(const TirePattern& pattern, const Surface& ground,
 }
 
 /// Samples the ground under a wheel whose hub is at p_WH with spin axis y_W (left).
-template <class Real, class Surface>
-void SampleContact(const TirePattern& pattern, const Surface& ground, const Vec3<Real>& p_WH,
+template <class Real, class Pattern, class Surface>
+void SampleContact(const Pattern& pattern, const Surface& ground, const Vec3<Real>& p_WH,
                    const Vec3<Real>& y_W, TireContact<Real>& contact) {
   using S = ScalarOf<Real>;
   const Mat3<Real> R_WT = TireFrame(y_W);
   contact.p_WH = p_WH;
   contact.deflection = Real(0);
-  const GroundPlane<Real> bound = BoundUnder(ground, pattern.radius + pattern.half_span, p_WH);
+  const GroundPlane<Real> bound = BoundUnder(ground, pattern.reach, p_WH);
   const RowRange rows = ActiveRows(pattern, R_WT, p_WH, bound);
   if (rows.last < rows.first) return;
 
@@ -251,7 +250,7 @@ void SampleContact(const TirePattern& pattern, const Surface& ground, const Vec3
       Select(touching,
              Normalized(R_WT.z - (scale * sums.slope_x) * R_WT.x - (scale * sums.slope_y) * R_WT.y),
              contact.normal_W);
-  const Real y = Real(S(pattern.half_span)) * (sums.area[2] - sums.area[0]);
+  const Real y = ToLanes<Real>(pattern.half_span) * (sums.area[2] - sums.area[0]);
   contact.p_HC_W = Select(touching, R_WT * Vec3<Real>{scale * sums.x, scale * y, scale * sums.z},
                           contact.p_HC_W);
   contact.deflection = Select(

@@ -49,33 +49,32 @@ Vec3<Real> ContactVelocity(const BodyState<Real>& body, const Vec3<Real>& hub_le
   return body.v_WB + Cross(body.w_WB, hub_lever) + Cross(w, p_HC_W);
 }
 
-template <class Real>
-Real NormalLoad(const TireModel& tire, const TireContact<Real>& contact, const Vec3<Real>& p_WH,
+template <class Real, class Tire>
+Real NormalLoad(const Tire& tire, const TireContact<Real>& contact, const Vec3<Real>& p_WH,
                 const Vec3<Real>& v_C) {
-  using S = ScalarOf<Real>;
   const Real advance = Dot(p_WH - contact.p_WH, contact.normal_W);
   const Real deflection = contact.deflection - advance;
   const Real rate = Real(-1) * Dot(v_C, contact.normal_W);
-  const Real load = Real(S(tire.stiffness)) * deflection + Real(S(tire.damping)) * rate;
+  const Real load = ToLanes<Real>(tire.stiffness) * deflection + ToLanes<Real>(tire.damping) * rate;
   const Real zero(0);
   const Real touching = Select(contact.deflection > zero, load, zero);
   return Select(deflection > zero, Max(touching, zero), zero);
 }
 
 /// Longitudinal part: relaxed slip, traction and its slope against spin.
-template <class Real>
-void SetTraction(const TireModel& tire, const WheelState<Real>& wheel, const Real& vx, double step,
+template <class Real, class Tire>
+void SetTraction(const Tire& tire, const WheelState<Real>& wheel, const Real& vx, double step,
                  TireLaw<Real>& law) {
   using S = ScalarOf<Real>;
   const Real one(1);
-  const double sigma = tire.relaxation_length;
+  const auto sigma = tire.relaxation_length;
   const Real u = wheel.spin * law.rolling_radius;
   const Real speed = Max(Abs(u), Abs(vx));
-  const Real gain = Real(S(step / sigma)) / (one + speed * Real(S(step / sigma)));
+  const Real gain = ToLanes<Real>(step / sigma) / (one + speed * ToLanes<Real>(step / sigma));
   const Real low = vx * Real(S(1 / kBristleSpeed));
-  const Real damper = Real(S(kBristleTime / sigma)) / (one + low * low);
+  const Real damper = ToLanes<Real>(kBristleTime / sigma) / (one + low * low);
   law.slip_gain = gain * law.rolling_radius;
-  law.slip_base = gain * (wheel.slip * Real(S(sigma / step)) - vx);
+  law.slip_base = gain * (wheel.slip * ToLanes<Real>(sigma / step) - vx);
 
   const Real relaxed = Clamp(law.slip_base + law.slip_gain * wheel.spin, Real(-1), one);
   const Real slip = Clamp(relaxed + damper * (u - vx), Real(-1), one);
@@ -85,31 +84,32 @@ void SetTraction(const TireModel& tire, const WheelState<Real>& wheel, const Rea
 }
 
 /// Lateral part: relaxed slip angle, exponential law, ellipse with the traction in use.
-template <class Real>
-void SetLateral(const TireModel& tire, const Real& vx, const Real& vy, double step,
-                const Real& capacity, WheelState<Real>& wheel, TireLaw<Real>& law) {
+template <class Real, class Tire>
+void SetLateral(const Tire& tire, const Real& vx, const Real& vy, double step, const Real& capacity,
+                WheelState<Real>& wheel, TireLaw<Real>& law) {
   using S = ScalarOf<Real>;
   const Real one(1);
-  const Real ratio{S(step / tire.relaxation_length)};
+  const Real ratio = ToLanes<Real>(step / tire.relaxation_length);
   const Real relaxed = (wheel.slip_angle + ratio * vy) / (one + ratio * Abs(vx));
   wheel.slip_angle = Select(law.load > Real(0), Clamp(relaxed, Real(-1), one), Real(0));
   const Real low = vx * Real(S(1 / kBristleSpeed));
-  const Real damper = Real(S(kBristleTime / tire.relaxation_length)) / (one + low * low);
+  const Real damper = ToLanes<Real>(kBristleTime / tire.relaxation_length) / (one + low * low);
   const Real angle = wheel.slip_angle + damper * vy;
   const Real use = law.traction0 / Max(law.traction_limit, Real(S(kLeastLoad)));
   const Real ellipse = Sqrt(Max(one - use * use, Real(S(kEllipseFloor))));
-  const Real limit = Real(S(tire.lateral_limit / tire.traction.traction_max)) * capacity * law.load;
-  const Real size = limit * ellipse * (one - Exp(Real(S(-tire.lateral_rate)) * Abs(angle)));
+  const Real limit =
+      ToLanes<Real>(tire.lateral_limit / tire.traction.traction_max) * capacity * law.load;
+  const Real size = limit * ellipse * (one - Exp(ToLanes<Real>(-tire.lateral_rate) * Abs(angle)));
   law.lateral = Select(angle < Real(0), size, Real(-1) * size);
 }
 
 /// Everything about one tire that does not need the new spin.
-template <class Real>
-TireLaw<Real> EvaluateTire(const WheelModel& model, const BodyState<Real>& body,
+template <class Real, class Wheel>
+TireLaw<Real> EvaluateTire(const Wheel& model, const BodyState<Real>& body,
                            const Vec3<Real>& hub_lever, const Vec3<Real>& y_W, double step,
                            WheelState<Real>& wheel) {
   using S = ScalarOf<Real>;
-  const TireModel& tire = model.tire;
+  const auto& tire = model.tire;
   const TireContact<Real>& contact = wheel.contact;
   const Vec3<Real> v_C = ContactVelocity(body, hub_lever, y_W, contact.p_HC_W);
 
@@ -121,7 +121,7 @@ TireLaw<Real> EvaluateTire(const WheelModel& model, const BodyState<Real>& body,
   const Real vx = Dot(v_C, law.forward_W);
   const Real vy = Dot(v_C, law.left_W);
 
-  const Real deflection = law.load * Real(S(1 / tire.stiffness));
+  const Real deflection = law.load * ToLanes<Real>(1 / tire.stiffness);
   law.rolling_radius = RollingRadius(tire.radius, deflection);
   const Real mobility = MobilityNumber(contact.cone_index, law.load, deflection, tire.width,
                                        2 * tire.radius, tire.section_height);

@@ -14,21 +14,22 @@ struct HubPose {
   Vec3<Real> y_W;    // spin axis, left
 };
 
-template <class Real>
-HubPose<Real> LocateHub(const WheelModel& wheel, const Mat3<Real>& R_WB, const Real& steer_sine) {
+template <class Real, class Wheel>
+HubPose<Real> LocateHub(const Wheel& wheel, const Mat3<Real>& R_WB, const Real& steer_sine) {
   if (!wheel.steers_hub) return {R_WB * Broadcast<Real>(wheel.p_BH), R_WB.y};
   const Real cosine = Sqrt(Real(1) - steer_sine * steer_sine);
   return {R_WB * Broadcast<Real>(wheel.p_BH), cosine * R_WB.y - steer_sine * R_WB.x};
 }
 
-template <class Real, class Surface>
-void SampleContacts(const VehicleModel& model, const std::vector<TirePattern>& patterns,
-                    const Surface& ground, const WheelControls<Real>& controls,
-                    const Workspace<Real>& work, EngineState<Real>& state) {
-  for (std::size_t i = 0; i < model.wheels.size(); ++i) {
-    const WheelModel& wheel = model.wheels[i];
+template <class Real, class Engine, class Surface>
+void SampleContacts(const Engine& engine, const Surface& ground,
+                    const WheelControls<Real>& controls, const Workspace<Real>& work,
+                    EngineState<Real>& state) {
+  const auto& wheels = engine.vehicle->wheels;
+  for (std::size_t i = 0; i < wheels.size(); ++i) {
+    const auto& wheel = wheels[i];
     const auto hub = LocateHub(wheel, work.R_WB[wheel.body], controls.steer_sine[i]);
-    SampleContact(patterns[i], ground, state.bodies[wheel.body].p_WB + hub.lever, hub.y_W,
+    SampleContact(engine.patterns[i], ground, state.bodies[wheel.body].p_WB + hub.lever, hub.y_W,
                   state.wheels[i].contact);
   }
 }
@@ -36,11 +37,10 @@ void SampleContacts(const VehicleModel& model, const std::vector<TirePattern>& p
 /// Puts one tire's force, the drive and brake reactions and the wheel's gyroscopic moment on the
 /// bodies. The contact force is applied without its moment about the spin axis: that moment turns
 /// the wheel, not the body that carries it.
-template <class Real>
-void ApplyTire(const WheelModel& wheel, const TireLaw<Real>& law, const HubPose<Real>& hub,
+template <class Real, class Wheel>
+void ApplyTire(const Wheel& wheel, const TireLaw<Real>& law, const HubPose<Real>& hub,
                const Real& traction, const Real& drive_torque, const Real& brake_torque,
                const WheelState<Real>& state, const BodyState<Real>& body, Workspace<Real>& work) {
-  using S = ScalarOf<Real>;
   const Real along = traction + law.resistance;
   const Vec3<Real> f = law.load * law.normal_W + along * law.forward_W + law.lateral * law.left_W;
   Vec3<Real> moment = Cross(state.contact.p_HC_W, f);
@@ -49,22 +49,21 @@ void ApplyTire(const WheelModel& wheel, const TireLaw<Real>& law, const HubPose<
   wrench.Add(f, hub.lever);
   wrench.t_W += moment;
   wrench.t_W -= brake_torque * hub.y_W;
-  const Real spin_momentum = Real(S(wheel.gyroscopic_inertia)) * state.spin;
+  const Real spin_momentum = ToLanes<Real>(wheel.gyroscopic_inertia) * state.spin;
   wrench.t_W -= spin_momentum * Cross(body.w_WB, hub.y_W);
   work.wrench[wheel.reaction_body].t_W -= drive_torque * work.R_WB[wheel.reaction_body].y;
 }
 
-template <class Real>
-void AddTireForces(const EngineModel& engine, const WheelControls<Real>& controls, double step,
+template <class Real, class Engine>
+void AddTireForces(const Engine& engine, const WheelControls<Real>& controls, double step,
                    EngineState<Real>& state, Workspace<Real>& work) {
-  using S = ScalarOf<Real>;
-  const VehicleModel& model = *engine.vehicle;
+  const auto& model = *engine.vehicle;
   std::array<TireLaw<Real>, kMaxWheels> laws;
   std::array<HubPose<Real>, kMaxWheels> hubs;
   std::array<CarrierSpin<Real>, kMaxWheels> carriers;
   SpinArray<Real> spin_change, brake_torque;
   for (std::size_t i = 0; i < model.wheels.size(); ++i) {
-    const WheelModel& wheel = model.wheels[i];
+    const auto& wheel = model.wheels[i];
     hubs[i] = LocateHub(wheel, work.R_WB[wheel.body], controls.steer_sine[i]);
     laws[i] = EvaluateTire(wheel, state.bodies[wheel.body], hubs[i].lever, hubs[i].y_W, step,
                            state.wheels[i]);
@@ -73,7 +72,7 @@ void AddTireForces(const EngineModel& engine, const WheelControls<Real>& control
   }
   AdvanceSpins(engine, controls, step, laws, carriers, state, spin_change, brake_torque);
   for (std::size_t i = 0; i < model.wheels.size(); ++i) {
-    const WheelModel& wheel = model.wheels[i];
+    const auto& wheel = model.wheels[i];
     const TireLaw<Real>& law = laws[i];
     WheelState<Real>& w = state.wheels[i];
     const Real slip = Clamp(law.slip_base + law.slip_gain * w.spin, Real(-1), Real(1));
@@ -87,7 +86,7 @@ void AddTireForces(const EngineModel& engine, const WheelControls<Real>& control
                      traction + law.resistance,
                      law.traction_limit,
                      law.lateral,
-                     law.load * Real(S(1 / wheel.tire.stiffness)),
+                     law.load * ToLanes<Real>(1 / wheel.tire.stiffness),
                      controls.drive_torque[i] * w.spin};
   }
 }

@@ -9,6 +9,7 @@ TirePattern MakeTirePattern(const TireModel& tire) {
   TirePattern pattern;
   pattern.radius = tire.radius;
   pattern.half_span = tire.width / kTirePlanes;
+  pattern.reach = pattern.radius + pattern.half_span;
   pattern.width = tire.width;
   pattern.stiffness = tire.stiffness;
   const double step = 2 * std::numbers::pi / tire.points;

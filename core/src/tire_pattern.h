@@ -14,6 +14,7 @@ inline constexpr int kMaxLowerPoints = 33;  // of one plane, for 64 points round
 struct TirePattern {
   double radius = 0;
   double half_span = 0;  // lateral distance of the outer planes from the middle one
+  double reach = 0;      // from the hub, seen from above: no point is further away
   double width = 0;      // of the tire
   double stiffness = 0;
   int count = 0;  // odd; the middle point is the lowest

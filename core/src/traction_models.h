@@ -24,22 +24,20 @@ struct TractionCurve {
   Real carcass;     // torque / (load * rolling radius)
 };
 
-template <class Real>
-TractionCurve<Real> BrixiusCurve(const BrixiusCoefficients& c, const Real& mobility,
-                                 const Real& slip) {
-  using S = ScalarOf<Real>;
-  return {TractionCapacity(c, mobility), Real(S(c.slip_rate)), Real(0),
-          SoilResistance(c, mobility, slip), Real(S(c.carcass_loss))};
+template <class Real, class Coefficients>
+TractionCurve<Real> BrixiusCurve(const Coefficients& c, const Real& mobility, const Real& slip) {
+  return {TractionCapacity(c, mobility), ToLanes<Real>(c.slip_rate), Real(0),
+          SoilResistance(c, mobility, slip), ToLanes<Real>(c.carcass_loss)};
 }
 
 /// Puts the other models in the place of Brixius where the soil asks for them.
-template <class Real>
-void SelectTractionModel(const TireModel& tire, const TireContact<Real>& contact, const Real& load,
+template <class Real, class Tire>
+void SelectTractionModel(const Tire& tire, const TireContact<Real>& contact, const Real& load,
                          TractionCurve<Real>& curve) {
   using S = ScalarOf<Real>;
   const auto other = contact.rule.model > Real(S(0.5));
   if (!AnyOf(other)) return;
-  const Real area{S(tire.width * 2 * tire.radius)};
+  const Real area = ToLanes<Real>(tire.width * 2 * tire.radius);
   const Real numeric = Clamp(contact.cone_index * area / Max(load, Real(S(kLeastLoad))),
                              Real(S(1e-3)), Real(S(kHardSoilMobility)));
   // Wismer & Luth 1973; all of their resistance acts at the hub.
@@ -68,9 +66,8 @@ ShearForce<Real> ShearAt(const TractionCurve<Real>& curve, const Real& limit, co
   ShearForce<Real> shear{limit * (one - decay), limit * curve.rate * decay};
   const auto janosi = curve.janosi > Real(0);
   if (!AnyOf(janosi)) return shear;
-  using S = ScalarOf<Real>;
   const JanosiValue<Real> here = JanosiShareOf(curve.rate * size);
-  const Real full = limit / Max(JanosiShareOf(curve.rate).share, Real(S(1e-9)));
+  const Real full = limit / Max(JanosiShareOf(curve.rate).share, ToLanes<Real>(1e-9));
   shear.force = Select(janosi, full * here.share, shear.force);
   shear.stiffness = Select(janosi, full * curve.rate * here.slope, shear.stiffness);
   return shear;

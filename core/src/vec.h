@@ -64,6 +64,12 @@ Vec3<Real> Broadcast(const Eigen::Vector3d& v) {
   return {Real(S(v.x())), Real(S(v.y())), Real(S(v.z()))};
 }
 
+/// A vector of the model that has numbers of its own for each lane already.
+template <class Real>
+const Vec3<Real>& Broadcast(const Vec3<Real>& v) {
+  return v;
+}
+
 /// Columns are the axes of a frame: R_WB = {x_W, y_W, z_W} of B.
 template <class Real>
 struct Mat3 {

@@ -45,7 +45,6 @@ void CoupleAxles(const AxleModel& a, const AxleModel& b, const Real& most,
 template <class Real>
 void ApplyDifferentials(const EngineModel& engine, const SpinArray<Real>& inertia, double step,
                         SpinArray<Real>& spin) {
-  using S = ScalarOf<Real>;
   const VehicleModel& model = *engine.vehicle;
   const AxleModel* previous = nullptr;
   for (std::size_t i = 0; i < model.axles.size(); ++i) {
@@ -53,11 +52,11 @@ void ApplyDifferentials(const EngineModel& engine, const SpinArray<Real>& inerti
     if (!axle.driven) continue;
     const double most = engine.axle_coupling[i];
     if (most > 0) {
-      CoupleShafts(inertia[axle.left], inertia[axle.right], Real(S(most * step)), spin[axle.left],
-                   spin[axle.right]);
+      CoupleShafts(inertia[axle.left], inertia[axle.right], ToLanes<Real>(most * step),
+                   spin[axle.left], spin[axle.right]);
     }
     if (previous != nullptr && engine.centre_coupling > 0) {
-      CoupleAxles(*previous, axle, Real(S(engine.centre_coupling * step)), inertia, spin);
+      CoupleAxles(*previous, axle, ToLanes<Real>(engine.centre_coupling * step), inertia, spin);
     }
     previous = &axle;
   }
@@ -70,15 +69,14 @@ struct CarrierSpin {
   Real inertia;  // shared among the wheels that it carries
 };
 
-template <class Real>
-CarrierSpin<Real> PredictCarrierSpin(const EngineModel& engine, std::size_t wheel,
+template <class Real, class Engine>
+CarrierSpin<Real> PredictCarrierSpin(const Engine& engine, std::size_t wheel,
                                      const BodyState<Real>& body, const Wrench<Real>& wrench,
                                      const Vec3<Real>& y_W, double step) {
-  using S = ScalarOf<Real>;
-  const BodyModel& carrier = engine.vehicle->bodies[engine.vehicle->wheels[wheel].body];
-  const Real gain{S(step / carrier.inertia.y())};
+  const auto& carrier = engine.vehicle->bodies[engine.vehicle->wheels[wheel].body];
+  const Real gain = ToLanes<Real>(step / carrier.inertia.y());
   return {Dot(body.w_WB, y_W) + gain * Dot(wrench.t_W, y_W),
-          Real(S(engine.carrier_inertia[wheel]))};
+          ToLanes<Real>(engine.carrier_inertia[wheel])};
 }
 
 /// Friction between wheel and carrier takes the wheel towards `rate`, as far as the brake can;
@@ -113,31 +111,47 @@ void ApplyBrakes(const VehicleModel& model, const AxleModel& axle,
   brake_torque[r] = BrakeTowards(right_rate, controls.brake_torque[r], inertia[r], dt, spin[r]);
 }
 
+/// What differentials and brakes make of spins that tires and drive torques would give; leaves the
+/// brakes' torques on the wheels in `brake_torque`.
+template <class Real>
+void CoupleSpins(const EngineModel& engine, const WheelControls<Real>& controls, double step,
+                 const std::array<CarrierSpin<Real>, kMaxWheels>& carriers,
+                 const SpinArray<Real>& inertia, SpinArray<Real>& spin,
+                 SpinArray<Real>& brake_torque) {
+  using S = ScalarOf<Real>;
+  const VehicleModel& model = *engine.vehicle;
+  ApplyDifferentials(engine, inertia, step, spin);
+  for (const AxleModel& axle : model.axles) {
+    const Real free(0);
+    if (!AnyOf(controls.brake_torque[axle.left] + controls.brake_torque[axle.right] > free)) {
+      brake_torque[axle.left] = brake_torque[axle.right] = free;
+      continue;
+    }
+    ApplyBrakes(model, axle, controls, carriers, Real(S(step)), inertia, spin, brake_torque);
+  }
+}
+
 /// New spins from the tire laws and controls; leaves the brakes' torques on the wheels in
 /// `brake_torque`.
-template <class Real>
-void AdvanceSpins(const EngineModel& engine, const WheelControls<Real>& controls, double step,
+template <class Real, class Engine>
+void AdvanceSpins(const Engine& engine, const WheelControls<Real>& controls, double step,
                   const std::array<TireLaw<Real>, kMaxWheels>& laws,
                   const std::array<CarrierSpin<Real>, kMaxWheels>& carriers,
                   EngineState<Real>& state, SpinArray<Real>& spin_change,
                   SpinArray<Real>& brake_torque) {
   using S = ScalarOf<Real>;
-  const VehicleModel& model = *engine.vehicle;
   const Real dt{S(step)};
   SpinArray<Real> inertia{}, spin{};
-  for (std::size_t i = 0; i < model.wheels.size(); ++i) {
+  for (std::size_t i = 0; i < state.wheels.size(); ++i) {
     const TireLaw<Real>& law = laws[i];
-    inertia[i] =
-        Real(S(model.wheels[i].spin_inertia)) + dt * law.rolling_radius * law.traction_by_spin;
+    inertia[i] = ToLanes<Real>(engine.vehicle->wheels[i].spin_inertia) +
+                 dt * law.rolling_radius * law.traction_by_spin;
     const Real torque =
         controls.drive_torque[i] - law.rolling_radius * law.traction0 - law.carcass_torque;
     spin[i] = state.wheels[i].spin + dt * torque / inertia[i];
   }
-  ApplyDifferentials(engine, inertia, step, spin);
-  for (const AxleModel& axle : model.axles) {
-    ApplyBrakes(model, axle, controls, carriers, dt, inertia, spin, brake_torque);
-  }
-  for (std::size_t i = 0; i < model.wheels.size(); ++i) {
+  CoupleSpins(engine, controls, step, carriers, inertia, spin, brake_torque);
+  for (std::size_t i = 0; i < state.wheels.size(); ++i) {
     spin_change[i] = spin[i] - state.wheels[i].spin;
     state.wheels[i].spin = spin[i];
   }

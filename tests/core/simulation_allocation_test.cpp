@@ -46,11 +46,13 @@ namespace {
 
 TEST(SimulationAllocation, AdvanceAllocatesNothing) {
   const auto ground = MakeRandomGround(0, 0.1, 0.5, 2);
-  Simulation simulation(Tm27(), *ground);
-  simulation.Place(Eigen::Vector2d::Zero(), 0);
-  const long before = allocations;
-  for (int i = 0; i < 250; ++i) simulation.Advance({.steer = 0.1, .engine_torque = 60});
-  EXPECT_EQ(allocations, before);
+  for (const bool wheel_lanes : {false, true}) {
+    Simulation simulation(Tm27(), *ground, {.wheel_lanes = wheel_lanes});
+    simulation.Place(Eigen::Vector2d::Zero(), 0);
+    const long before = allocations;
+    for (int i = 0; i < 250; ++i) simulation.Advance({.steer = 0.1, .engine_torque = 60});
+    EXPECT_EQ(allocations, before);
+  }
 }
 
 TEST(SimulationAllocation, DriverAndViewsAllocateNothing) {

@@ -32,7 +32,8 @@ std::vector<std::string> ScenarioNames();
 Scenario MakeScenario(const std::string& name, std::uint64_t seed = 1);
 
 /// The vehicle at the scenario's beginning, settled, heading east at the origin.
-Simulation StartScenario(const Scenario& scenario, const VehicleModel& vehicle);
+Simulation StartScenario(const Scenario& scenario, const VehicleModel& vehicle,
+                         const SimulationOptions& options = {});
 
 /// Drives a scenario as the paper does: standing, then straight ahead at the target speed.
 class ScenarioDriver {

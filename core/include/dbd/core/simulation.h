@@ -74,9 +74,14 @@ struct GuideForces {
 };
 
 struct SimulationOptions {
+  /// Wheels and their suspensions side by side in the lanes of one processor: the same vehicle to
+  /// round-off, in about a third of the time. For the full, split tire without guide; vehicles
+  /// whose wheels are joined by more than chassis and shafts are driven without. See
+  /// `wheel_lanes()`.
+  bool wheel_lanes = false;
   TireKind tire = TireKind::kFull;
   TireScheme tire_scheme = TireScheme::kSplit;  ///< of the full tire
-  std::optional<GuideForces> guide;
+  std::optional<GuideForces> guide = std::nullopt;
 };
 
 /// One vehicle driving on one ground, in double precision: the reference of the engine and the
@@ -115,6 +120,9 @@ class Simulation {
 
   /// Work that the drive torque put into the wheels since the start [J].
   double drive_energy() const;
+
+  /// Whether the wheels are lanes, as asked for.
+  bool wheel_lanes() const;
 
   /// Everything finite, no body torn off (no stiff link stretched by more than 0.2 m).
   bool IsSane() const;
