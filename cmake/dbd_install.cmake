@@ -20,6 +20,9 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/dbdConfigVersion.cmake
 install(FILES ${PROJECT_BINARY_DIR}/dbdConfig.cmake ${PROJECT_BINARY_DIR}/dbdConfigVersion.cmake
   cmake/dbd_library_dependencies.cmake DESTINATION ${package_directory})
 
+# JSON Schema of every file that the program reads or writes.
+install(DIRECTORY docs/schemas/ DESTINATION ${CMAKE_INSTALL_DATADIR}/dbd/schemas)
+
 configure_file(cmake/dbd.pc.in ${PROJECT_BINARY_DIR}/dbd.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/dbd.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
