@@ -31,7 +31,8 @@ static int print_answer(const dbd_job* job) {
   dbd_progress progress;
   while (dbd_job_wait(job, 0.2) == DBD_ERROR_NOT_ENDED) {
     if (dbd_job_get_progress(job, &progress) != DBD_OK) return fail();
-    printf("%s %d of %d\n", progress.stage, progress.done, progress.total);
+    printf("%s %d of %d\n", progress.stage[0] ? progress.stage : "starting", progress.done,
+           progress.total);
   }
   if (dbd_job_result(job, &result) != DBD_OK) return fail();
   if (result.has_route) return print_route(job, &result);

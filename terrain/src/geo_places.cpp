@@ -49,10 +49,10 @@ GeoPlace ReadPlace(const OGRFeature& feature, OGRCoordinateTransformation* to_wg
           HeadingOf(feature, origin)};
 }
 
-/// A GPX file lists the points of its tracks beside its waypoints.
-bool IsPartOfALine(const OGRLayer& layer) {
-  const std::string name = const_cast<OGRLayer&>(layer).GetName();
-  return name == "route_points" || name == "track_points";
+/// A GPX file holds routes, tracks and their points beside its waypoints.
+bool HoldsNoPlaces(const GDALDataset& dataset, const OGRLayer& layer) {
+  return EQUAL(const_cast<GDALDataset&>(dataset).GetDriverName(), "GPX") &&
+         !EQUAL(const_cast<OGRLayer&>(layer).GetName(), "waypoints");
 }
 
 }  // namespace
@@ -62,9 +62,8 @@ GeoPlaces ReadGeoPlaces(const std::string& file) {
   const GdalSession gdal;
   GeoPlaces result;
   result.in_map_coordinates = IsCsv(*dataset) && HasMapColumns(file, *dataset);
-  const bool gpx = EQUAL(dataset->GetDriverName(), "GPX");
   for (OGRLayer* layer : dataset->GetLayers()) {
-    if (gpx && IsPartOfALine(*layer)) continue;
+    if (HoldsNoPlaces(*dataset, *layer)) continue;
     const auto to_wgs84 = result.in_map_coordinates ? nullptr : ToWgs84(*layer);
     for (const auto& feature : layer) {
       const std::string origin = file + ": place " + std::to_string(result.places.size() + 1);

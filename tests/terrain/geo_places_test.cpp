@@ -55,7 +55,7 @@ TEST_F(GeoPlacesTest, ReadsWaypointsButNotTracksOfGpx) {
   const GeoPlaces read = Read("a.gpx",
                               R"(<gpx version="1.1" creator="t"
       xmlns="http://www.topografix.com/GPX/1/1"><wpt lat="46" lon="14"><name>hut</name></wpt>
-      </gpx>)");
+      <trk><trkseg><trkpt lat="46" lon="14"/><trkpt lat="46.1" lon="14"/></trkseg></trk></gpx>)");
   ASSERT_EQ(read.places.size(), 1U);
   EXPECT_EQ(read.places[0].name, "hut");
 }
