@@ -11,6 +11,7 @@ if(DBD_BUILD_APPS)
 endif()
 if(DBD_BUILD_TESTS)
   find_package(GTest CONFIG REQUIRED)
+  find_path(DBD_VALIJSON valijson/validator.hpp REQUIRED)  # checks files against JSON Schemas
 endif()
 if(DBD_BUILD_BENCHMARKS)
   find_package(benchmark CONFIG REQUIRED)

@@ -29,7 +29,10 @@ endfunction()
 function(dbd_add_library name)
   add_library(dbd_${name} ${ARGN})
   add_library(dbd::${name} ALIAS dbd_${name})
-  set_target_properties(dbd_${name} PROPERTIES EXPORT_NAME ${name})
+  # Before 1.0 a minor version may change the binary layout.
+  set_target_properties(dbd_${name} PROPERTIES EXPORT_NAME ${name}
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+    INSTALL_RPATH "\$ORIGIN")
   target_include_directories(dbd_${name}
     PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include> $<INSTALL_INTERFACE:include>
     PRIVATE ${CMAKE_CURRENT_SOURCE_DIR}/src)

@@ -1,21 +1,42 @@
 #!/bin/sh
 # Installs a build into a fresh directory, builds the examples of docs/examples against it, with
 # CMake and with pkg-config, and runs them: check-install.sh BUILD_DIRECTORY
+# The same with the content of a package that cpack -G DEB made: check-install.sh PACKAGE.deb
 set -eu
-build=$(cd "$1" && pwd)
+from=$(realpath "$1")
 source=$(cd "$(dirname "$0")/.." && pwd)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-cmake --install "$build" --prefix "$scratch/dbd" > "$scratch/install.log"
+if [ -d "$from" ]; then
+  cmake --install "$from" --prefix "$scratch/dbd" > "$scratch/install.log"
+else
+  dpkg -x "$from" "$scratch/package"
+  mv "$scratch/package/usr" "$scratch/dbd"
+fi
+
 cmake -S "$source/docs/examples" -B "$scratch/examples" -DCMAKE_PREFIX_PATH="$scratch/dbd" \
   -DCMAKE_BUILD_TYPE=Release > "$scratch/configure.log"
 cmake --build "$scratch/examples"
 
+# Which is the case decides what pkg-config is asked.
+static=--static
+if [ -n "$(find "$scratch/dbd" -name 'libdbd_core.so')" ]; then static=""; fi
+PKG_CONFIG_PATH=$(dirname "$(find "$scratch/dbd" -name dbd.pc)")
+export PKG_CONFIG_PATH
+# shellcheck disable=SC2046,SC2086
+c++ -o "$scratch/plan_one_pc" "$source/docs/examples/plan_one.cpp" \
+  $(pkg-config --cflags --libs $static dbd)
+
 "$scratch/examples/drive_anything" tomcar-tm27
 "$scratch/dbd/bin/dbd" --quiet terrain generate --seed 3 --size 160 --relief-m 6 --out "$scratch/land"
 ends="500030 5200030 500060 5200030"
-# shellcheck disable=SC2086
-"$scratch/examples/plan_one" "$scratch/land/dem.tif" $ends
+for program in examples/plan_one examples/plan_one_c plan_one_pc; do
+  # The loader's path is for the last one, which nobody told where shared libraries are.
+  # shellcheck disable=SC2086
+  LD_LIBRARY_PATH=$(pkg-config --variable=libdir dbd) \
+    "$scratch/$program" "$scratch/land/dem.tif" $ends
+done
 # shellcheck disable=SC2086
 "$scratch/examples/plan_many" "$scratch/land/dem.tif" $ends 500050 5200040 1 2
+test -s "$scratch/dbd/share/dbd/schemas/plan.schema.json"

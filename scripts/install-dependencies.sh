@@ -6,7 +6,8 @@ set -eu
 packages="g++ cmake ninja-build pkg-config git ca-certificates
   libeigen3-dev libompl-dev libtbb-dev liboctomap-dev libspdlog-dev
   libgdal-dev libassimp-dev libcairo2-dev libssl-dev libjs-chart.js fonts-dejavu-core gnuplot-nox
-  libcli11-dev nlohmann-json3-dev libgtest-dev libgmock-dev libbenchmark-dev $*"
+  libcli11-dev nlohmann-json3-dev libgtest-dev libgmock-dev libvalijson-dev
+  libbenchmark-dev $*"
 
 missing=""
 for package in $packages; do

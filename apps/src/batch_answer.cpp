@@ -15,11 +15,6 @@ using nlohmann::ordered_json;
 
 constexpr std::size_t kLongestReason = 500;  // a hostile request may quote itself
 
-std::string ReasonOf(const JobResult& result) {
-  const std::string& text = result.state == JobState::kDone ? result.plan.reason : result.error;
-  return OneLine(text.size() > kLongestReason ? text.substr(0, kLongestReason) + "..." : text);
-}
-
 ordered_json OutcomesJson(const Plan& plan) {
   std::map<std::string, int> counts;
   for (const Rollout& rollout : plan.rollouts) ++counts[OutcomeName(rollout.outcome)];
@@ -55,12 +50,22 @@ void AddPlan(const JobResult& result, ordered_json& answer) {
 
 }  // namespace
 
+std::string StatusOf(const JobResult& result) {
+  if (result.state == JobState::kDone) return PlanStatusName(result.plan.status);
+  return result.state == JobState::kCancelled ? "cancelled" : "error";
+}
+
+std::string ReasonOf(const JobResult& result) {
+  const std::string& text = result.state == JobState::kDone ? result.plan.reason : result.error;
+  return OneLine(text.size() > kLongestReason ? text.substr(0, kLongestReason) + "..." : text);
+}
+
 std::string BatchAnswer(std::size_t line, const std::string& id, const JobResult& result) {
   const bool done = result.state == JobState::kDone;
   ordered_json answer = {{"schema", "dbd.result/1"},
                          {"id", id},
                          {"line", line},
-                         {"status", done ? PlanStatusName(result.plan.status) : "error"},
+                         {"status", StatusOf(result)},
                          {"reason", ReasonOf(result)}};
   if (done) AddPlan(result, answer);
   return answer.dump(-1, ' ', false, ordered_json::error_handler_t::replace);

@@ -1,7 +1,7 @@
 #include "batch_command.h"
 
 #include <dbd/core/error.h>
-#include <dbd/core/vehicle_database.h>
+#include <dbd/core/vehicle_cache.h>
 #include <dbd/planner/planning_service.h>
 #include <dbd/terrain/terrain_cache.h>
 
@@ -75,7 +75,9 @@ class Batch {
         stop_(std::move(stop)),
         terrains_(1e9 * arguments.memory_gb),
         results_(arguments.out, arguments.resume),
-        service_({.threads = arguments.threads, .queue_limit = 64}) {}
+        service_({.threads = arguments.threads,
+                  .queue_limit = 64,
+                  .layer_memory = 1e9 * arguments.memory_gb / 8}) {}
 
   /// Submits every line that is not answered yet, and waits for the answers.
   void Run(std::istream& requests) {
@@ -145,7 +147,7 @@ class Batch {
     (map ? files.places : files.wgs84_places) = {request.start.xy, request.goal.xy};
     PlanInputs inputs;
     inputs.terrain = terrains_.Get(files);
-    inputs.vehicle = LoadVehicle(request.plan.vehicle);
+    inputs.vehicle = vehicles_.Get(request.plan.vehicle);
     inputs.options = MakePlanOptions(request.plan);
     if (request.plan.deadline_s > 0) inputs.options.deadline = request.plan.deadline_s;
     const auto place = [&](const char* name, const TypedPlace& typed) {
@@ -178,9 +180,10 @@ class Batch {
   std::string failure_;  // why results can no longer be written
   std::size_t submitted_ = 0;
   std::size_t skipped_ = 0;
-  BatchTally tally_;
+  BatchTally tally_{"requests"};
   ProgressLine progress_;
   TerrainCache terrains_;
+  VehicleCache vehicles_;
   BatchResults results_;
   PlanningService service_;  // last: it ends before what its jobs use
 };

@@ -1,12 +1,12 @@
 #include "batch_tally.h"
 
+#include "batch_answer.h"
 #include "text.h"
 
 namespace dbd {
 
 void BatchTally::Add(const JobResult& result) {
-  const bool done = result.state == JobState::kDone;
-  ++counts_[done ? PlanStatusName(result.plan.status) : "error"];
+  Add(StatusOf(result));
   rollouts_ += result.plan.rollouts.size();
   simulated_ += result.plan.simulated_time;
 }
@@ -29,12 +29,12 @@ double BatchTally::Seconds() const {
 void BatchTally::Show(std::size_t total, ProgressLine& line) const {
   const double rate = static_cast<double>(answered()) / Seconds();
   const double left = static_cast<double>(total - answered()) / rate;
-  line.Show(Format("requests (%.2g/s, %s left)", rate, FormatDuration(left).c_str()),
+  line.Show(Format("%s (%.2g/s, %s left)", what_.c_str(), rate, FormatDuration(left).c_str()),
             static_cast<int>(answered()), static_cast<int>(total));
 }
 
 std::string BatchTally::Summary(std::size_t skipped) const {
-  std::string text = Format("%zu requests answered", answered());
+  std::string text = Format("%zu %s answered", answered(), what_.c_str());
   for (const auto& [status, count] : counts_) text += Format(", %zu %s", count, status.c_str());
   if (skipped > 0) text += Format("; %zu had been answered before", skipped);
   const double hours = simulated_ / 3600;

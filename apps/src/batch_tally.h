@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "console.h"
 
@@ -14,7 +15,12 @@ namespace dbd {
 /// Counts what a batch has answered, for its progress line and its summary.
 class BatchTally {
  public:
+  /// `what` is answered: "requests".
+  explicit BatchTally(std::string what) : what_(std::move(what)) {}
+
   void Add(const JobResult& result);
+  /// What was answered without a plan.
+  void Add(const std::string& status) { ++counts_[status]; }
 
   std::size_t answered() const;
   std::size_t errors() const;
@@ -28,6 +34,7 @@ class BatchTally {
  private:
   double Seconds() const;
 
+  const std::string what_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::map<std::string, std::size_t> counts_;
   std::size_t rollouts_ = 0;

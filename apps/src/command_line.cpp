@@ -4,6 +4,7 @@
 
 #include "batch_flags.h"
 #include "common_flags.h"
+#include "matrix_flags.h"
 #include "plan_flags.h"
 #include "scene_flags.h"
 #include "terrain_flags.h"
@@ -67,6 +68,24 @@ void DeclareBatch(CLI::App* app, Commands* commands) {
           "  dbd batch --merge part*.jsonl --out results.jsonl");
   AddBatchFlags(command, batch);
   command->callback([commands, batch] { commands->run = [batch] { return RunBatch(*batch); }; });
+}
+
+void DeclareMatrix(CLI::App* app, Commands* commands) {
+  MatrixArguments* matrix = &commands->matrix;
+  CLI::App* command = AddCommand(
+      app, "matrix", "Plan from each of many starts to each of many goals",
+      std::string(kHeadingNote) +
+          "\nWrites matrix.csv and matrix.json: status, time, energy, length and, with --draws, "
+          "P(go) of every pair, for every vehicle and state of the soil. --deadline counts for "
+          "each pair.\n"
+          "Exit codes: 0 all answered, 2 some pairs are wrong (the table says why), 4 stopped.\n"
+          "Example:\n  dbd matrix --dem hills.tif --vehicle tomcar-tm27 utility-4x4 --starts "
+          "depots.geojson --goals huts.csv --routes --out out/\n"
+          "  dbd matrix --dem hills.tif --materials soils.tif --soil dry=dry.json wet=wet.json "
+          "--vehicle tomcar-tm27 --start 564050,146300 --goals huts.csv --out out/");
+  AddMatrixFlags(command, matrix);
+  command->callback(
+      [commands, matrix] { commands->run = [matrix] { return RunMatrix(*matrix); }; });
 }
 
 void DeclareSimulate(CLI::App* app, Commands* commands) {
@@ -258,6 +277,7 @@ void DeclareCommands(CLI::App* app, Commands* commands) {
   app->footer("Example:\n  dbd terrain generate --out land/\n  dbd plan --help");
   DeclarePlan(app, commands);
   DeclareBatch(app, commands);
+  DeclareMatrix(app, commands);
   DeclareSimulate(app, commands);
   DeclareScenario(app, commands);
   DeclareTerrain(app, commands);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "batch_command.h"
+#include "matrix_command.h"
 #include "plan_command.h"
 #include "scenario_command.h"
 #include "scene_command.h"
@@ -24,6 +25,7 @@ struct Commands {
   bool verbose = false;
   PlanArguments plan;
   BatchArguments batch;
+  MatrixArguments matrix;
   SimulateArguments simulate;
   ScenarioArguments scenario;
   SceneArguments scene;

@@ -43,12 +43,14 @@ ordered_json PathGeometry(const LocalFrame& frame, const Path& path) {
   return {{"type", "LineString"}, {"coordinates", std::move(positions)}};
 }
 
-ordered_json RouteProperties(const Rollout& rollout, const std::string& name) {
-  ordered_json properties = {{"name", name},
-                             {"outcome", OutcomeName(rollout.outcome)},
-                             {"length_m", Rounded(rollout.distance, 2)},
-                             {"time_s", Rounded(rollout.time, 2)},
-                             {"energy_j", Rounded(rollout.energy, 0)}};
+ordered_json RouteProperties(const NamedRoute& route) {
+  const Rollout& rollout = *route.rollout;
+  ordered_json properties = {{"name", route.name}};
+  for (const auto& [label, text] : route.labels) properties[label] = text;
+  properties.update({{"outcome", OutcomeName(rollout.outcome)},
+                     {"length_m", Rounded(rollout.distance, 2)},
+                     {"time_s", Rounded(rollout.time, 2)},
+                     {"energy_j", Rounded(rollout.energy, 0)}});
   properties["times_s"] = ordered_json::array();
   for (const TraceSample& sample : rollout.trace) {
     properties["times_s"].push_back(Rounded(sample.t, 3));
@@ -75,10 +77,17 @@ ordered_json CandidateProperties(const Plan& plan, std::size_t i) {
 
 }  // namespace
 
-std::string RouteGeoJson(const Rollout& rollout, const std::string& name, const LocalFrame& frame) {
+std::string RoutesGeoJson(const std::vector<NamedRoute>& routes, const std::string& name,
+                          const LocalFrame& frame) {
   ordered_json features = ordered_json::array();
-  features.push_back(Feature(TraceGeometry(frame, rollout), RouteProperties(rollout, name)));
+  for (const NamedRoute& route : routes) {
+    features.push_back(Feature(TraceGeometry(frame, *route.rollout), RouteProperties(route)));
+  }
   return JsonText(Collection(name, std::move(features)));
+}
+
+std::string RouteGeoJson(const Rollout& rollout, const std::string& name, const LocalFrame& frame) {
+  return RoutesGeoJson({{name, {}, &rollout}}, name, frame);
 }
 
 std::string CandidatesGeoJson(const Plan& plan, const LocalFrame& frame) {

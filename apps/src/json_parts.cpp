@@ -95,6 +95,21 @@ ordered_json CertificateJson(const Rollout& rollout, const LocalFrame& frame) {
   return certificate;
 }
 
+ordered_json SuccessJson(const SuccessEstimate& estimate, const LocalFrame& frame) {
+  ordered_json success = {{"draws", estimate.draws},
+                          {"reached", estimate.reached},
+                          {"share", Rounded(estimate.share(), 4)},
+                          {"interval_95", {Rounded(estimate.low, 4), Rounded(estimate.high, 4)}},
+                          {"mean_time", Rounded(estimate.mean_time, 3)},
+                          {"cvar_10_time", Rounded(estimate.cvar_time, 3)},
+                          {"mean_score", Rounded(estimate.mean_score, 3)}};
+  if (!estimate.failure.empty()) {
+    success["failure"] = estimate.failure;
+    success["failed_at"] = PlaceJson(frame, estimate.failed_at);
+  }
+  return success;
+}
+
 ordered_json VersionsJson() {
   ordered_json versions = ordered_json::object();
   for (const auto& [name, version] : Versions()) versions[name] = version;

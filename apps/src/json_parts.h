@@ -34,6 +34,9 @@ nlohmann::ordered_json RouteJson(const Plan& plan);
 /// columns.
 nlohmann::ordered_json CertificateJson(const Rollout& rollout, const LocalFrame& frame);
 
+/// How a candidate did on drawn terrains.
+nlohmann::ordered_json SuccessJson(const SuccessEstimate& estimate, const LocalFrame& frame);
+
 nlohmann::ordered_json VersionsJson();
 
 }  // namespace dbd

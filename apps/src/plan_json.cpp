@@ -79,21 +79,6 @@ ordered_json ScoreJson(const Score& score) {
           {"terms", std::move(terms)}};
 }
 
-ordered_json SuccessJson(const SuccessEstimate& estimate, const LocalFrame& frame) {
-  ordered_json success = {{"draws", estimate.draws},
-                          {"reached", estimate.reached},
-                          {"share", Rounded(estimate.share(), 4)},
-                          {"interval_95", {Rounded(estimate.low, 4), Rounded(estimate.high, 4)}},
-                          {"mean_time", Rounded(estimate.mean_time, 3)},
-                          {"cvar_10_time", Rounded(estimate.cvar_time, 3)},
-                          {"mean_score", Rounded(estimate.mean_score, 3)}};
-  if (!estimate.failure.empty()) {
-    success["failure"] = estimate.failure;
-    success["failed_at"] = PlaceJson(frame, estimate.failed_at);
-  }
-  return success;
-}
-
 ordered_json SpeedCapsJson(const Candidate& candidate) {
   ordered_json caps = ordered_json::array();
   for (const SpeedCap& cap : candidate.speed_caps) {

@@ -1,5 +1,6 @@
 #include <dbd/planner/batch_evaluation.h>
 #include <dbd/planner/candidate_sampler.h>
+#include <dbd/planner/layer_cache.h>
 #include <dbd/planner/lessons.h>
 #include <dbd/planner/plan_route.h>
 #include <dbd/planner/route_choice.h>
@@ -49,10 +50,7 @@ class Planning {
         budget_(options) {}
 
   /// Throws StopRequested soon after the stop was asked for; `plan` then holds what is done so far.
-  void Run(Plan& plan) {
-    StageClock clock(plan);
-    const TrafficabilityLayer layer(terrain_, vehicle_, options_.max_speed, {}, stop_);
-    clock.Finish("trafficability");
+  void Run(const TrafficabilityLayer& layer, Plan& plan, StageClock& clock) {
     CandidateSet sampled = Sample(layer, budget_.first, plan);
     clock.Finish("candidates");
     if (sampled.candidates.empty()) {
@@ -171,12 +169,18 @@ class Planning {
 
 Plan PlanRoute(std::shared_ptr<const Terrain> terrain, std::shared_ptr<const VehicleModel> vehicle,
                const PlanRequest& request, const PlanOptions& options,
-               const ProgressCallback& progress, std::stop_token stop) {
+               const ProgressCallback& progress, std::stop_token stop, LayerCache* layers) {
   options.Validate();
   const Deadline deadline(options.deadline, stop);
   Plan plan;
   try {
-    Planning(*terrain, *vehicle, request, options, progress, deadline.token()).Run(plan);
+    Planning planning(*terrain, *vehicle, request, options, progress, deadline.token());
+    StageClock clock(plan);
+    LayerCache own(0);
+    const auto layer =
+        (layers ? *layers : own).Get(terrain, vehicle, options.max_speed, deadline.token());
+    clock.Finish("trafficability");
+    planning.Run(*layer, plan, clock);
   } catch (const StopRequested&) {
     ChooseRoute(plan, options.uncertainty,
                 deadline.passed() ? PlanStatus::kDeadline : PlanStatus::kCancelled);

@@ -115,9 +115,15 @@ const JobResult& PlanningService::Handle::Wait() const {
   return job_->result;
 }
 
+bool PlanningService::Handle::WaitFor(std::chrono::duration<double> longest) const {
+  std::unique_lock lock(board_->mutex);
+  return board_->changed.wait_for(lock, longest, [this] { return job_->ended; });
+}
+
 PlanningService::PlanningService(const Options& options)
     : threads_(ThreadCount(options.threads)),
       queue_limit_(std::max<std::size_t>(options.queue_limit, 1)),
+      layers_(options.layer_memory),
       board_(std::make_shared<Board>()) {
   for (int i = 0; i < threads_; ++i) {
     workers_.emplace_back([this](const std::stop_token& stop) { Work(stop); });
@@ -173,7 +179,7 @@ void PlanningService::Run(Job& job) {
     result.inputs = job.what.prepare();
     result.inputs.options.threads = threads_;
     result.plan = PlanRoute(result.inputs.terrain, result.inputs.vehicle, result.inputs.request,
-                            result.inputs.options, show, job.stop.get_token());
+                            result.inputs.options, show, job.stop.get_token(), &layers_);
     const bool cancelled = result.plan.status == PlanStatus::kCancelled;
     result.state = cancelled ? JobState::kCancelled : JobState::kDone;
   } catch (const std::exception& error) {

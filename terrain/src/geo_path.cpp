@@ -18,18 +18,6 @@ using Line = std::vector<Eigen::Vector2d>;
   throw InputError(file + ": " + what);
 }
 
-// To WGS84, x = longitude; null when the layer already is.
-std::unique_ptr<OGRCoordinateTransformation> ToWgs84(const OGRLayer& layer) {
-  const OGRSpatialReference* layer_crs = const_cast<OGRLayer&>(layer).GetSpatialRef();
-  if (layer_crs == nullptr) return nullptr;
-  OGRSpatialReference wgs84;
-  wgs84.importFromEPSG(4326);
-  wgs84.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  if (layer_crs->IsSame(&wgs84)) return nullptr;
-  return std::unique_ptr<OGRCoordinateTransformation>(
-      OGRCreateCoordinateTransformation(layer_crs, &wgs84));
-}
-
 // Every line string in a geometry, also inside collections.
 void CollectLines(const OGRGeometry& geometry, std::vector<Line>* lines) {
   const OGRwkbGeometryType type = wkbFlatten(geometry.getGeometryType());
@@ -82,10 +70,6 @@ Line PointsOf(const std::string& file, OGRLayer* layer) {
   return line;
 }
 
-bool HasColumn(OGRLayer* layer, const char* name) {
-  return layer->GetLayerDefn()->GetFieldIndex(name) >= 0;
-}
-
 // Degrees of longitude count as much as they are long.
 double LengthOf(const Line& line, bool is_geographic) {
   double length = 0;
@@ -99,10 +83,7 @@ double LengthOf(const Line& line, bool is_geographic) {
 
 void CheckPlaces(const std::string& file, const GeoPath& path) {
   for (const Eigen::Vector2d& place : path.points) {
-    const bool on_earth = std::abs(place.x()) <= 360 && std::abs(place.y()) <= 90;
-    if (place.allFinite() && (path.in_map_coordinates || on_earth)) continue;
-    Fail(file, "holds the place " + std::to_string(place.x()) + ", " + std::to_string(place.y()) +
-                   ", which is not a longitude and latitude in degrees");
+    CheckPlace(file, place, path.in_map_coordinates);
   }
 }
 
@@ -112,13 +93,9 @@ GeoPath ReadGeoPath(const std::string& file) {
   const GDALDatasetUniquePtr dataset = OpenVector(file);
   GeoPath path;
   std::vector<Line> lines;
-  if (EQUAL(dataset->GetDriverName(), "CSV")) {
-    OGRLayer* layer = dataset->GetLayer(0);
-    if (layer->GetGeomType() == wkbNone) {
-      Fail(file, "its header has neither the columns lon and lat nor x and y");
-    }
-    path.in_map_coordinates = HasColumn(layer, "x") || HasColumn(layer, "easting");
-    lines.push_back(PointsOf(file, layer));
+  if (IsCsv(*dataset)) {
+    path.in_map_coordinates = HasMapColumns(file, *dataset);
+    lines.push_back(PointsOf(file, dataset->GetLayer(0)));
   } else {
     lines = LinesOf(file, dataset.get());
   }

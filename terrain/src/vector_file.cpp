@@ -2,6 +2,7 @@
 
 #include <dbd/core/error.h>
 
+#include <cmath>
 #include <filesystem>
 #include <vector>
 
@@ -45,6 +46,40 @@ GDALDatasetUniquePtr OpenVector(const std::string& file) {
                      "others): " + gdal.Reason("format not recognised"));
   }
   return dataset;
+}
+
+std::unique_ptr<OGRCoordinateTransformation> ToWgs84(const OGRLayer& layer) {
+  const OGRSpatialReference* layer_crs = const_cast<OGRLayer&>(layer).GetSpatialRef();
+  if (layer_crs == nullptr) return nullptr;
+  OGRSpatialReference wgs84;
+  wgs84.importFromEPSG(4326);
+  wgs84.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  if (layer_crs->IsSame(&wgs84)) return nullptr;
+  return std::unique_ptr<OGRCoordinateTransformation>(
+      OGRCreateCoordinateTransformation(layer_crs, &wgs84));
+}
+
+bool IsCsv(const GDALDataset& dataset) {
+  return EQUAL(const_cast<GDALDataset&>(dataset).GetDriverName(), "CSV");
+}
+
+bool HasMapColumns(const std::string& file, GDALDataset& dataset) {
+  OGRLayer* layer = dataset.GetLayer(0);
+  if (layer->GetGeomType() == wkbNone) {
+    throw InputError(file + ": its header has neither the columns lon and lat nor x and y");
+  }
+  const auto has = [&](const char* column) {
+    return layer->GetLayerDefn()->GetFieldIndex(column) >= 0;
+  };
+  return has("x") || has("easting");
+}
+
+void CheckPlace(const std::string& file, const Eigen::Vector2d& place, bool in_map_coordinates) {
+  const bool on_earth = std::abs(place.x()) <= 360 && std::abs(place.y()) <= 90;
+  if (place.allFinite() && (in_map_coordinates || on_earth)) return;
+  throw InputError(file + ": holds the place " + std::to_string(place.x()) + ", " +
+                   std::to_string(place.y()) +
+                   ", which is not a longitude and latitude in degrees");
 }
 
 }  // namespace dbd

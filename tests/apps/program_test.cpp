@@ -127,7 +127,7 @@ TEST_F(Program, SceneIsTheSameForAnyNumberOfThreads) {
 }
 
 TEST_F(Program, HelpOfEverySubCommandEndsWithAnExample) {
-  for (const char* command : {"plan", "simulate", "scenario", "scenario convoy",
+  for (const char* command : {"plan", "batch", "matrix", "simulate", "scenario", "scenario convoy",
                               "scenario road-train", "terrain", "terrain generate", "terrain info",
                               "vehicle", "vehicle list", "vehicle show", "vehicle check"}) {
     const Ending run = RunDbd(std::string(command) + " --help");

@@ -47,6 +47,14 @@ TEST(PlanningService, AnswersAsPlanRouteDoesWhateverRunsBeside) {
   }
 }
 
+TEST(PlanningService, JobsOfOneTerrainAndVehicleShareTheirLayer) {
+  PlanningService service({.threads = 2});
+  const PlanInputs inputs = SmallInputs(1);
+  for (int i = 0; i < 4; ++i) service.Submit({.prepare = [&] { return inputs; }});
+  service.Drain();
+  EXPECT_EQ(service.layers().makes(), 1U);
+}
+
 /// A service of one worker that is kept busy until the gate opens.
 class GatedService : public testing::Test {
  protected:
@@ -88,7 +96,9 @@ TEST_F(GatedService, AFullQueueHoldsSubmittersBack) {
   EXPECT_FALSE(service_.TrySubmit(Named('x', 0)));
   auto waiting = std::async(std::launch::async, [&] { service_.Submit(Named('e', 0)); });
   EXPECT_EQ(waiting.wait_for(std::chrono::milliseconds(30)), std::future_status::timeout);
+  EXPECT_FALSE(last->WaitFor(std::chrono::milliseconds(5)));
   last->Cancel();  // makes room at once
+  EXPECT_TRUE(last->WaitFor(std::chrono::milliseconds(0)));
   EXPECT_EQ(waiting.wait_for(std::chrono::seconds(10)), std::future_status::ready);
   EXPECT_EQ(last->Wait().state, JobState::kCancelled);
   gate_.set_value();

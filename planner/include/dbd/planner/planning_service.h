@@ -1,7 +1,9 @@
 #pragma once
 
+#include <dbd/planner/layer_cache.h>
 #include <dbd/planner/plan_route.h>
 
+#include <chrono>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -60,7 +62,9 @@ struct PlanJob {
 ///
 /// Each worker takes one job at a time, so that many small requests fill the processors side by
 /// side; within a job the drives are shared by threads, so that a single large one fills them too.
-/// A plan is bit-identical to `PlanRoute` with the same inputs, whatever runs beside it.
+/// A plan is bit-identical to `PlanRoute` with the same inputs, whatever runs beside it. Jobs of
+/// one terrain, vehicle and speed (the same objects: see `TerrainCache`, `VehicleCache`) share
+/// their trafficability layer.
 ///
 /// All functions are safe to call from many threads at once. The service prints nothing.
 class PlanningService {
@@ -71,6 +75,7 @@ class PlanningService {
   struct Options {
     int threads = 0;                ///< of all jobs together; 0 = all processors
     std::size_t queue_limit = 256;  ///< jobs that wait; more make `Submit` wait
+    double layer_memory = 5e8;      ///< of trafficability layers that are kept [bytes]
   };
 
   /// A share in one job. Copies are the same job; it may outlive the service.
@@ -82,6 +87,8 @@ class PlanningService {
     void Cancel();
     /// Waits for the end.
     const JobResult& Wait() const;
+    /// Waits for the end, but no longer than this; returns whether it has come.
+    bool WaitFor(std::chrono::duration<double> longest) const;
 
    private:
     friend class PlanningService;
@@ -104,12 +111,16 @@ class PlanningService {
   /// Waits until no job is waiting or running.
   void Drain();
 
+  /// What jobs share.
+  const LayerCache& layers() const { return layers_; }
+
  private:
   void Work(const std::stop_token& stop);
   void Run(Job& job);
 
   const int threads_;
   const std::size_t queue_limit_;
+  LayerCache layers_;
   std::shared_ptr<Board> board_;
   std::vector<std::jthread> workers_;
 };

@@ -6,6 +6,7 @@
 #include <dbd/terrain/terrain.h>
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -104,6 +105,7 @@ class TrafficabilityLayer {
   int rows() const { return rows_; }
   const Eigen::Vector2d& min_corner() const { return min_corner_; }
   Eigen::Vector2d max_corner() const;
+  std::size_t memory_bytes() const { return cells_->size() * sizeof(Cell); }
 
  private:
   struct Cell {
