@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "support/core_vehicle.h"
+#include "suspension_corner.h"
 
 namespace dbd {
 namespace {
@@ -54,10 +55,7 @@ TEST(MujocoVehicle, StandsAsDbdDoesOnTireLikeContacts) {
   EXPECT_NEAR(row.pitch, 0, 1e-4);
   EXPECT_NEAR(row.vx, 0, 1e-3);
   for (const int i : {0, 2}) {
-    const WheelModel& wheel =
-        *std::find_if(Tm27().wheels.begin(), Tm27().wheels.end(), [&](const WheelModel& w) {
-          return std::abs(w.tire.radius - (i ? 0.3302 : 0.3175)) < 1e-9;
-        });
+    const WheelModel& wheel = Tm27().wheels[WheelOrder(Tm27())[i]];
     EXPECT_NEAR(row.wheel_height[i], wheel.tire.radius - wheel.static_load / wheel.tire.stiffness,
                 2e-4);
     EXPECT_NEAR(row.spring_force[i], wheel.static_load - 9.81 * Tm27().bodies[wheel.body].mass, 5);
