@@ -48,18 +48,18 @@ void AddRun(const json& run, Values& values) {
 
 void PrintTable(const std::string& file) {
   const json result = json::parse(std::ifstream(file));
-  std::vector<std::string> order;
+  std::multimap<int, std::string> order;  // as registered, also when they were run at random
   std::map<std::string, Values> benchmarks;
   for (const json& run : result.at("benchmarks")) {
     if (run.at("run_type") != "iteration" || run.contains("error_occurred")) continue;
     const std::string name = run.at("run_name");
-    if (!benchmarks.contains(name)) order.push_back(name);
+    if (!benchmarks.contains(name)) order.emplace(run.at("family_index").get<int>(), name);
     AddRun(run, benchmarks[name]);
   }
   const std::string program = result.at("context").at("executable");
   std::printf("\n### %s\n\n| benchmark | counter | median | spread |\n|---|---|---|---|\n",
               program.substr(program.rfind('/') + 1).c_str());
-  for (const std::string& name : order) {
+  for (const auto& [family, name] : order) {
     for (const auto& [counter, values] : benchmarks[name]) {
       std::printf("| %s | %s | %.4g | %.0f %% |\n", name.c_str(), counter.c_str(), Median(values),
                   100 * Spread(values));

@@ -16,5 +16,7 @@ endif()
 if(DBD_BUILD_BENCHMARKS)
   find_package(benchmark CONFIG REQUIRED)
   find_package(CLI11 CONFIG REQUIRED)
-  find_package(Simbody QUIET)  # optional: the comparison with it is left out without it
+  # Optional: the comparisons with them are left out without them.
+  find_package(Simbody QUIET)
+  find_package(mujoco QUIET)
 endif()

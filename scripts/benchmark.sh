@@ -8,7 +8,8 @@ repetitions="${2:-3}"
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-for name in simulation lane body_parallel terrain load; do
+for name in simulation lane mujoco roofline body_parallel terrain load; do
+  [ -x "$build/benchmarks/${name}_benchmark" ] || continue  # an optional one
   echo "$name ..." >&2
   "$build/benchmarks/${name}_benchmark" --benchmark_repetitions="$repetitions" \
     --benchmark_out="$scratch/$name.json" --benchmark_out_format=json > /dev/null

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Installs the Debian packages that dbd is built with, unless all are there already. Further
-# packages may be named: libsimbody-dev adds the comparison with Simbody.
+# packages may be named: libsimbody-dev and libmujoco-dev add the comparisons with Simbody and MuJoCo.
 set -eu
 
 packages="g++ cmake ninja-build pkg-config git ca-certificates

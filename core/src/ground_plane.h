@@ -14,17 +14,12 @@ struct GroundPlane {
   Real slope_y{0};  ///< and north
 };
 
-/// Of the ground within `radius` of p, for one vehicle: the highest ground there.
-inline GroundPlane<double> BoundUnder(const Ground& ground, double radius, const Vec3<double>& p) {
-  GroundPlane<double> bound;
+/// Level, at the highest ground within `radius` of p.
+template <class Surface, class Real>
+GroundPlane<Real> LevelBound(const Surface& ground, double radius, const Vec3<Real>& p) {
+  GroundPlane<Real> bound;
   ground.HighestWithin(radius, 1, &p.x, &p.y, &bound.height);
   return bound;
-}
-
-/// For packs of vehicles.
-template <class Surface, class Real>
-GroundPlane<Real> BoundUnder(const Surface& ground, double radius, const Vec3<Real>& p) {
-  return ground.Bound(radius, p.x, p.y);
 }
 
 }  // namespace dbd

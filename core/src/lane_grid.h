@@ -5,10 +5,11 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <type_traits>
 
 #include "corner_columns.h"
-#include "ground_plane.h"
+#include "lane_patch.h"
 #include "pack.h"
 
 namespace dbd {
@@ -43,36 +44,20 @@ class LaneGrid {
   /// around the node that is nearest to the centre hold it.
   static bool CellsHold(const GroundGrid& grid, double radius) {
     return std::min(grid.columns, grid.rows) > 2 &&
-           radius <= 0.5 * std::min(grid.cell_x, grid.cell_y);
+           radius < 0.5 * std::min(grid.cell_x, grid.cell_y);
   }
 
-  /// A plane above those four cells: their mean slope, lifted over the highest of the nine nodes.
-  /// Ground less plane is bilinear in every cell, so that no place between nodes is higher. At the
-  /// edge of the grid, beyond which heights continue level, the highest ground around.
-  GroundPlane<Real> Plane(const GroundGrid& grid, const Real& x, const Real& y) const {
+  /// Those four cells. Nothing at the edge of the grid, beyond which heights continue level.
+  std::optional<LanePatch<Real>> Patch(const GroundGrid& grid, const Real& x, const Real& y) const {
     const Node east = NearestNode(x_, x), north = NearestNode(y_, y);
-    const Nodes h = ReadNodes(grid, east.whole, north.whole);
-    const Real sixth{S(1.0 / 6)};
-    const Real rise_x = sixth * ((h[0][2] + h[1][2] + h[2][2]) - (h[0][0] + h[1][0] + h[2][0]));
-    const Real rise_y = sixth * ((h[2][0] + h[2][1] + h[2][2]) - (h[0][0] + h[0][1] + h[0][2]));
-    Real level = h[1][1];
-    for (int j = 0; j < 3; ++j) {
-      for (int i = 0; i < 3; ++i) {
-        level = Max(level, h[j][i] - Real(S(i - 1)) * rise_x - Real(S(j - 1)) * rise_y);
-      }
-    }
-    const Real here = base_height_ + level + east.part * rise_x + north.part * rise_y;
-    GroundPlane<Real> plane{here, rise_x * x_.per_metre, rise_y * y_.per_metre};
     const Real half{S(0.5)};
-    const auto edge_x = Abs(east.part) > half, edge_y = Abs(north.part) > half;
-    if (!AnyOf(edge_x) && !AnyOf(edge_y)) return plane;
-    const Real level_bound = HighestNearby(grid, x, y), none{S(0)};
-    for (const auto& edge : {edge_x, edge_y}) {
-      plane.height = Select(edge, level_bound, plane.height);
-      plane.slope_x = Select(edge, none, plane.slope_x);
-      plane.slope_y = Select(edge, none, plane.slope_y);
-    }
-    return plane;
+    if (AnyOf(Abs(east.part) > half) || AnyOf(Abs(north.part) > half)) return std::nullopt;
+    const auto node = [](const Axis& axis, const Integers& whole) {
+      return PatchAxis<Real>{axis.offset, axis.per_metre,
+                             Real(__builtin_convertvector(whole, typename Real::Vector))};
+    };
+    return LanePatch<Real>(node(x_, east.whole), node(y_, north.whole),
+                           ReadNodes(grid, east.whole, north.whole), base_height_);
   }
 
   Real HighestNearby(const GroundGrid& grid, const Real& x, const Real& y) const {
@@ -103,7 +88,6 @@ class LaneGrid {
     Integers whole;  // from `first`; never on the edge of the grid
     Real part;       // from the node to the place, in cells
   };
-  using Nodes = std::array<std::array<Real, 3>, 3>;  // rows northwards, columns eastwards
   struct Corners {
     Real south_west, north_west, south_east, north_east;
   };
@@ -135,7 +119,8 @@ class LaneGrid {
     return {whole, u - Real(__builtin_convertvector(whole, typename Real::Vector))};
   }
 
-  Nodes ReadNodes(const GroundGrid& grid, const Integers& column, const Integers& row) const {
+  PatchNodes<Real> ReadNodes(const GroundGrid& grid, const Integers& column,
+                             const Integers& row) const {
     const auto columns = static_cast<LaneInteger<S>>(grid.columns);
     const Integers south_west = (row - 1) * columns + (column - 1) + corner_;
     const Corners sw = ReadCorners(grid.row_pairs, south_west);

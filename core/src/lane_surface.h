@@ -49,12 +49,10 @@ class LaneSurface {
     }
   }
 
-  /// A plane above the ground within `radius` of each lane's place.
-  GroundPlane<Real> Bound(double radius, const Real& x, const Real& y) const {
-    if (grid_ && LaneGrid<Real>::CellsHold(*grid_, radius)) return lane_grid_.Plane(*grid_, x, y);
-    GroundPlane<Real> level;
-    HighestWithin(radius, 1, &x, &y, &level.height);
-    return level;
+  /// The cells that hold everything within `radius` of each lane's place, if four do.
+  std::optional<LanePatch<Real>> Patch(double radius, const Real& x, const Real& y) const {
+    if (!grid_ || !LaneGrid<Real>::CellsHold(*grid_, radius)) return std::nullopt;
+    return lane_grid_.Patch(*grid_, x, y);
   }
 
   /// kLanes soils for each of `count` packs of places.

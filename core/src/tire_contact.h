@@ -227,19 +227,15 @@ ContactSums<Real> SumContact(const Pattern& pattern, const Surface& ground, cons
   return sums;
 }
 
-/// Samples the ground under a wheel whose hub is at p_WH with spin axis y_W (left).
-template <class Real, class Pattern, class Surface>
-void SampleContact(const Pattern& pattern, const Surface& ground, const Vec3<Real>& p_WH,
-                   const Vec3<Real>& y_W, TireContact<Real>& contact) {
+/// `shape` gives heights no higher than the plane `bound`, `ground` the soil under them.
+template <class Real, class Pattern, class Shape, class Surface>
+void SampleContactOn(const Pattern& pattern, const Shape& shape, const GroundPlane<Real>& bound,
+                     const Surface& ground, const Mat3<Real>& R_WT, TireContact<Real>& contact) {
   using S = ScalarOf<Real>;
-  const Mat3<Real> R_WT = TireFrame(y_W);
-  contact.p_WH = p_WH;
-  contact.deflection = Real(0);
-  const GroundPlane<Real> bound = BoundUnder(ground, pattern.reach, p_WH);
-  const RowRange rows = ActiveRows(pattern, R_WT, p_WH, bound);
+  const RowRange rows = ActiveRows(pattern, R_WT, contact.p_WH, bound);
   if (rows.last < rows.first) return;
 
-  const ContactSums<Real> sums = SumContact(pattern, ground, R_WT, p_WH, rows);
+  const ContactSums<Real> sums = SumContact(pattern, shape, R_WT, contact.p_WH, rows);
   const Real least_area{S(1e-12)};
   const Real area = sums.area[0] + sums.area[1] + sums.area[2];
   const auto touching = area > least_area;
@@ -256,6 +252,22 @@ void SampleContact(const Pattern& pattern, const Surface& ground, const Vec3<Rea
   contact.deflection = Select(
       touching, EquivalentDeflection(Real(S(1.0 / kTirePlanes)) * area, pattern.radius), Real(0));
   SetContactSoil(pattern, ground, touching, contact);
+}
+
+/// Samples the ground under a wheel whose hub is at p_WH with spin axis y_W (left).
+template <class Real, class Pattern, class Surface>
+void SampleContact(const Pattern& pattern, const Surface& ground, const Vec3<Real>& p_WH,
+                   const Vec3<Real>& y_W, TireContact<Real>& contact) {
+  const Mat3<Real> R_WT = TireFrame(y_W);
+  contact.p_WH = p_WH;
+  contact.deflection = Real(0);
+  if constexpr (requires { ground.Patch(pattern.reach, p_WH.x, p_WH.y); }) {
+    if (const auto patch = ground.Patch(pattern.reach, p_WH.x, p_WH.y)) {
+      SampleContactOn(pattern, *patch, patch->Plane(p_WH.x, p_WH.y), ground, R_WT, contact);
+      return;
+    }
+  }
+  SampleContactOn(pattern, ground, LevelBound(ground, pattern.reach, p_WH), ground, R_WT, contact);
 }
 
 }  // namespace dbd

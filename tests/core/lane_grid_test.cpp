@@ -88,6 +88,60 @@ TEST_F(LaneGridOf, HeightsAreBilinearAndTheEdgeGoesOn) {
   ExpectHeights<Pack<double, 8>>(grid, 1e-6, expected);  // nodes are floats
 }
 
+/// Lanes around nodes (1..4, 1..3), points up to half a cell to each side of the lanes' places.
+template <class P>
+void ExpectPatches(const GroundGrid& grid) {
+  constexpr int kLanes = LaneTraits<P>::kLanes;
+  using S = ScalarOf<P>;
+  LaneGrid<P> lanes;
+  for (int lane = 0; lane < kLanes; ++lane) lanes.SetOrigin(grid, lane, {96, -24, 48});
+  for (int k = 0; k < 200; ++k) {
+    P x, y, px, py;
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const int n = k * kLanes + lane;
+      const double u = 0.501 + 3.998 * ((n * 37) % 101) / 101,
+                   v = 0.501 + 2.998 * ((n * 53) % 97) / 97;
+      x.v[lane] = static_cast<S>(grid.x0 + u * grid.cell_x - 96);
+      y.v[lane] = static_cast<S>(grid.y0 + v * grid.cell_y + 24);
+      px.v[lane] =
+          x.v[lane] + static_cast<S>(0.49 * grid.cell_x * (2.0 * ((n * 29) % 89) / 89 - 1));
+      py.v[lane] =
+          y.v[lane] + static_cast<S>(0.49 * grid.cell_y * (2.0 * ((n * 31) % 83) / 83 - 1));
+    }
+    const auto patch = lanes.Patch(grid, x, y);
+    ASSERT_TRUE(patch) << k;
+    P z;
+    patch->Heights(1, &px, &py, &z);
+    const P expected = lanes.Height(grid, px, py);
+    const GroundPlane<P> plane = patch->Plane(x, y);
+    for (int lane = 0; lane < kLanes; ++lane) {
+      ASSERT_EQ(z.v[lane], expected.v[lane]) << k << " lane " << lane;
+      const S bound = plane.height.v[lane] + (px.v[lane] - x.v[lane]) * plane.slope_x.v[lane] +
+                      (py.v[lane] - y.v[lane]) * plane.slope_y.v[lane];
+      EXPECT_GE(bound, z.v[lane] - S(1e-5));
+    }
+  }
+}
+
+TEST_F(LaneGridOf, PatchesGiveTheSameHeightsBitByBit) {
+  ExpectPatches<Pack<float, 4>>(grid);
+  ExpectPatches<Pack<float, 16>>(grid);
+  ExpectPatches<Pack<double, 4>>(grid);
+}
+
+TEST_F(LaneGridOf, NoPatchAtTheEdgeOrWhereCellsAreSmall) {
+  using P = Pack<float, 4>;
+  LaneGrid<P> lanes;
+  for (int lane = 0; lane < 4; ++lane) lanes.SetOrigin(grid, lane, {96, -24, 48});
+  P x(static_cast<float>(grid.x0 + 2.2 * grid.cell_x - 96));
+  const P y(static_cast<float>(grid.y0 + 2.2 * grid.cell_y + 24));
+  EXPECT_TRUE(lanes.Patch(grid, x, y));
+  x.v[2] = static_cast<float>(grid.x0 + 0.3 * grid.cell_x - 96);  // west of all inner nodes
+  EXPECT_FALSE(lanes.Patch(grid, x, y));
+  EXPECT_TRUE(LaneGrid<P>::CellsHold(grid, 0.12));  // cells are 0.25 m wide in y
+  EXPECT_FALSE(LaneGrid<P>::CellsHold(grid, 0.125));
+}
+
 TEST_F(LaneGridOf, HighestComesFromTheTileUnderThePlace) {
   using P = Pack<float, 4>;
   LaneGrid<P> lanes;
