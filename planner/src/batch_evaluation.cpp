@@ -1,14 +1,13 @@
 #include <dbd/planner/batch_evaluation.h>
 #include <dbd/planner/drive.h>
-#include <dbd/planner/thread_count.h>
 
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
-#include <tbb/task_arena.h>
 
 #include <mutex>
 
 #include "lane_batch.h"
+#include "work_arena.h"
 
 namespace dbd {
 namespace {
@@ -70,11 +69,10 @@ std::vector<Rollout> EvaluateRollouts(const Terrain& terrain, const VehicleModel
     on_done(rollout);
   };
   DriveQueue queue{tasks, rollouts, report, stop};
-  const int threads = ThreadCount(options.threads);
-  tbb::task_arena arena(threads);
-  arena.execute([&] {
+  WorkArena arena(options.threads);
+  arena.Execute([&] {
     if (options.engine == RolloutEngine::kLanes) {
-      DriveInLanes(terrain, vehicle, threads, queue);
+      DriveInLanes(terrain, vehicle, arena.threads(), queue);
     } else {
       DriveOneByOne(terrain, vehicle, queue);
     }

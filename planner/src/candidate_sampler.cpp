@@ -3,7 +3,6 @@
 #include <dbd/core/error.h>
 #include <dbd/planner/candidate_curve.h>
 #include <dbd/planner/ompl_planners.h>
-#include <dbd/planner/thread_count.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +10,8 @@
 #include <string>
 #include <utility>
 
-#include <tbb/task_arena.h>
-
 #include "candidate_search.h"
+#include "work_arena.h"
 
 namespace dbd {
 namespace {
@@ -69,8 +67,8 @@ CandidateSet SampleCandidates(const Terrain& terrain, const VehicleModel& vehicl
   CandidatePool pool(options.sampling.min_separation, stop);
   pool.AddKnown(known);
   CandidateSet set;
-  tbb::task_arena arena(ThreadCount(options.threads));
-  arena.execute([&] {
+  WorkArena arena(options.threads);
+  arena.Execute([&] {
     set.diagnosis = CandidateSearch(vehicle, layer, request, options, stop).Run(&pool, progress);
   });
   for (const RouteDraft& draft : pool.TakeSorted()) {

@@ -26,7 +26,8 @@ void PlanOptions::Validate() const {
   Require(scoring.energy_weight >= 0, "energy_weight", scoring.energy_weight, "at least 0");
   Require(scoring.risk_weight >= 0, "risk_weight", scoring.risk_weight, "at least 0");
   Require(max_speed > 0.1 && max_speed < 100, "max_speed", max_speed, "between 0.1 and 100 m/s");
-  Require(threads >= 0 && threads <= 1024, "threads", threads, "between 0 and 1024");
+  Require(threads >= kCallersArena && threads <= 1024, "threads", threads,
+          "between 0 and 1024, or kCallersArena");
   Require(learning.rounds >= 1 && learning.rounds <= 100, "rounds", learning.rounds,
           "between 1 and 100");
   Require(learning.first_share > 0 && learning.first_share <= 1, "first_share",

@@ -2,10 +2,8 @@
 #include <dbd/planner/stop.h>
 #include <dbd/planner/success.h>
 #include <dbd/planner/terrain_draw.h>
-#include <dbd/planner/thread_count.h>
 
 #include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +12,7 @@
 #include <numeric>
 
 #include "candidate_random.h"
+#include "work_arena.h"
 
 namespace dbd {
 namespace {
@@ -142,13 +141,13 @@ std::vector<std::optional<SuccessEstimate>> EstimateSuccess(
   };
   Drives drives;
   std::vector<SuccessEstimate> estimates;
-  tbb::task_arena arena(ThreadCount(options.threads));
+  WorkArena arena(options.threads);
   const std::uint64_t seed = DeriveSeed(options.seed, kDrawStream);
   while (!driven.empty() && static_cast<int>(drives.size()) < options.uncertainty.draws) {
     const int first = static_cast<int>(drives.size());
     const int last = std::min(first + kDrawsAtOnce, options.uncertainty.draws);
     drives.resize(static_cast<std::size_t>(last));
-    arena.execute([&] {
+    arena.Execute([&] {
       tbb::parallel_for(first, last, [&](int draw) {
         const Terrain drawn = DrawTerrain(terrain, options.uncertainty.spread, seed, draw, stop);
         drives[static_cast<std::size_t>(draw)] =

@@ -1,6 +1,7 @@
 #include <dbd/core/error.h>
 #include <dbd/planner/plan_route.h>
 #include <gtest/gtest.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <chrono>
@@ -177,6 +178,21 @@ TEST(PlanRoute, RefusesADeadlineInThePast) {
   PlanOptions options;
   options.deadline = -1;
   EXPECT_THROW(options.Validate(), InputError);
+}
+
+TEST(PlanRoute, WorksInTheCallersArenaWhenAsked) {
+  PlanOptions options = FewCandidates();
+  options.threads = kCallersArena;
+  const auto self = std::this_thread::get_id();
+  bool elsewhere = false;
+  const auto look = [&](const std::string&, int, int) {
+    elsewhere = elsewhere || std::this_thread::get_id() != self;
+  };
+  tbb::task_arena alone(1);
+  Plan plan;
+  alone.execute([&] { plan = PlanHill(options, {}, look); });
+  EXPECT_FALSE(elsewhere);
+  EXPECT_EQ(plan.digest, PlanHill(FewCandidates()).digest);
 }
 
 }  // namespace

@@ -51,6 +51,10 @@ enum class RolloutEngine {
   kReference,  ///< one vehicle at a time in double precision (`Simulation`)
 };
 
+/// As a number of threads: those of the TBB arena that the plan is asked for in, so that a host
+/// program hands in its own with `arena.execute([&] { PlanRoute(...); })`.
+inline constexpr int kCallersArena = -1;
+
 struct PlanOptions {
   SamplingOptions sampling;
   LearningOptions learning;
@@ -58,7 +62,7 @@ struct PlanOptions {
   ScoringOptions scoring;
   std::uint64_t seed = 1;
   double max_speed = 8.0;  ///< target speed on open ground [m/s]
-  int threads = 0;         ///< 0 = all
+  int threads = 0;         ///< 0 = all; or kCallersArena
   RolloutEngine engine = RolloutEngine::kLanes;
   double goal_tolerance = 2.0;  ///< [m]
   /// Wall time for the answer [s]; then the best so far is given. Infinite: as long as it takes.
