@@ -1,6 +1,7 @@
 #include "plan_json.h"
 
 #include <dbd/core/units.h>
+#include <dbd/planner/polyline_separation.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -89,13 +90,27 @@ ordered_json SpeedCapsJson(const Candidate& candidate) {
   return caps;
 }
 
+/// How far each candidate is from the one nearest to it.
+std::vector<double> SeparationsOf(const std::vector<Candidate>& candidates) {
+  constexpr double kPoints = 60;  // of each: every pair is compared point by point
+  std::vector<std::vector<Eigen::Vector2d>> lines;
+  for (const Candidate& candidate : candidates) {
+    lines.push_back(Thin(candidate.path.points(), candidate.path.length() / kPoints));
+  }
+  return NearestSeparations(lines);
+}
+
 ordered_json CandidatesJson(const PlanRecord& record) {
   const Plan& plan = record.plan;
+  const std::vector<double> separations = SeparationsOf(plan.candidates);
   ordered_json candidates = ordered_json::array();
   for (std::size_t i = 0; i < plan.rollouts.size(); ++i) {
-    ordered_json candidate = {{"id", i},
-                              {"origin", plan.candidates[i].origin},
-                              {"path_length", Rounded(plan.candidates[i].path.length(), 3)}};
+    ordered_json candidate = {
+        {"id", i},
+        {"origin", plan.candidates[i].origin},
+        {"path_length", Rounded(plan.candidates[i].path.length(), 3)},
+        {"separation", separations.size() > 1 ? ordered_json(Rounded(separations[i], 2))
+                                              : ordered_json(nullptr)}};
     if (!plan.candidates[i].speed_caps.empty()) {
       candidate["speed_caps"] = SpeedCapsJson(plan.candidates[i]);
     }

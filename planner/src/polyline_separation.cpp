@@ -41,6 +41,18 @@ double Separation(const std::vector<Eigen::Vector2d>& a, const std::vector<Eigen
   return std::max(MeanDistance(a, b), MeanDistance(b, a));
 }
 
+std::vector<double> NearestSeparations(const std::vector<std::vector<Eigen::Vector2d>>& lines) {
+  std::vector<double> nearest(lines.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double separation = Separation(lines[i], lines[j]);
+      nearest[i] = std::min(nearest[i], separation);
+      nearest[j] = std::min(nearest[j], separation);
+    }
+  }
+  return nearest;
+}
+
 double DistanceToPolyline(const Eigen::Vector2d& point,
                           const std::vector<Eigen::Vector2d>& polyline) {
   double nearest = (point - polyline.front()).squaredNorm();

@@ -1,6 +1,8 @@
 #include <dbd/planner/polyline_separation.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace dbd {
 namespace {
 
@@ -29,6 +31,12 @@ TEST(Separation, OfParallelLinesIsTheirDistance) {
   EXPECT_DOUBLE_EQ(Separation(a, b), 7);
   EXPECT_DOUBLE_EQ(Separation(b, a), 7);
   EXPECT_DOUBLE_EQ(Separation(a, a), 0);
+}
+
+TEST(NearestSeparations, AreToTheNearestOther) {
+  const Points at0{{0, 0}, {10, 0}}, at3{{0, 3}, {10, 3}}, at10{{0, 10}, {10, 10}};
+  EXPECT_EQ(NearestSeparations({at0, at3, at10}), (std::vector<double>{3, 3, 7}));
+  EXPECT_TRUE(std::isinf(NearestSeparations({at0})[0]));
 }
 
 TEST(Separation, CountsADetourOfOneOfThem) {

@@ -13,6 +13,9 @@ std::vector<Eigen::Vector2d> Thin(const std::vector<Eigen::Vector2d>& points, do
 /// symmetric. Cost is the product of the numbers of points.
 double Separation(const std::vector<Eigen::Vector2d>& a, const std::vector<Eigen::Vector2d>& b);
 
+/// Of each polyline from the nearest other [m]; infinite for one that is alone.
+std::vector<double> NearestSeparations(const std::vector<std::vector<Eigen::Vector2d>>& lines);
+
 /// Distance from a point to the nearest point of a polyline [m].
 double DistanceToPolyline(const Eigen::Vector2d& point,
                           const std::vector<Eigen::Vector2d>& polyline);
