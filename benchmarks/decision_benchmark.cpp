@@ -31,6 +31,7 @@ struct Arguments {
   double seconds = 1e9;  // no query is begun later
   int pool = 96;
   int candidates = 32;
+  int draws = 1;  // of the plan: 1 = it trusts the terrain as it is given
   std::uint64_t seed = 1;
   double shortest = 100;  // [m]
   double longest = 250;
@@ -77,6 +78,10 @@ struct Driven {
   std::vector<Score> scores;
 };
 
+bool IsBetter(const Score& a, const Score& b) {
+  return std::pair(!a.feasible, a.total) < std::pair(!b.feasible, b.total);
+}
+
 template <typename Less>
 Judged PickBy(const Driven& driven, const Less& less) {
   Judged judged;
@@ -118,6 +123,7 @@ QueryResult Ask(const Site& site, const std::shared_ptr<const VehicleModel>& veh
   PlanOptions options;
   options.sampling.candidates = arguments.candidates;
   options.seed = arguments.seed;
+  options.uncertainty.draws = arguments.draws;
   QueryResult result;
   result.site = site.name;
   result.distance = (request.goal - request.start).norm();
@@ -128,7 +134,7 @@ QueryResult Ask(const Site& site, const std::shared_ptr<const VehicleModel>& veh
   result.plan_time = SecondsSince(begin);
   result.first_route_time = plan.first_route_time.value_or(result.plan_time);
   for (const auto& [stage, seconds] : plan.timing) {
-    if (stage != "rollouts") result.sampling_time += seconds;
+    if (stage != "rollouts" && stage != "draws") result.sampling_time += seconds;
   }
   PlanOptions many = options;
   many.sampling.candidates = arguments.pool;
@@ -151,8 +157,13 @@ QueryResult Ask(const Site& site, const std::shared_ptr<const VehicleModel>& veh
   driven.rollouts.insert(driven.rollouts.end(), plan.rollouts.begin(), plan.rollouts.end());
   driven.scores.insert(driven.scores.end(), plan.scores.begin(), plan.scores.end());
   if (plan.chosen) result.chosen.index = pooled + static_cast<std::size_t>(*plan.chosen);
+  const auto trusted = std::min_element(plan.scores.begin(), plan.scores.end(), IsBetter);
+  if (trusted != plan.scores.end()) {
+    result.trusting.index = pooled + static_cast<std::size_t>(trusted - plan.scores.begin());
+  }
   const Judge judge(*site.terrain, *vehicle, options, query);
-  for (Judged* judged : {&result.chosen, &result.shortest, &result.cheapest, &result.best}) {
+  for (Judged* judged :
+       {&result.chosen, &result.trusting, &result.shortest, &result.cheapest, &result.best}) {
     judge.Complete(driven, *judged);
   }
   return result;
@@ -193,6 +204,9 @@ int main(int argc, char** argv) {
   app.add_option("--seconds", arguments.seconds, "No query is begun later");
   app.add_option("--pool", arguments.pool, "Candidates of the exhaustive pool");
   app.add_option("--candidates", arguments.candidates, "Of the plan");
+  app.add_option("--draws", arguments.draws, "Of the terrain, on which the plan's best are driven");
+  app.add_option("--shortest", arguments.shortest, "Least distance of a query [m]");
+  app.add_option("--longest", arguments.longest, "Largest [m]");
   app.add_option("--seed", arguments.seed);
   CLI11_PARSE(app, argc, argv);
   dbd::Run(arguments);

@@ -21,6 +21,7 @@ void PrintRoute(const char* name, const Judged& judged) {
 void PrintQuery(int number, const QueryResult& r) {
   std::printf("%3d %-9s %4.0f m ", number, r.site.c_str(), r.distance);
   PrintRoute("chosen", r.chosen);
+  PrintRoute("without draws", r.trusting);
   PrintRoute("shortest", r.shortest);
   PrintRoute("cheapest", r.cheapest);
   PrintRoute("best", r.best);
@@ -84,6 +85,7 @@ void PrintSummary(const std::vector<QueryResult>& results) {
   PrintShare("chosen route holds, where one of those driven again does", holds, holdable);
   std::printf("regret: median %.1f %%, p95 %.1f %%, max %.1f %%\n", Quantile(regrets, 0.5),
               Quantile(regrets, 0.95), Quantile(regrets, 1));
+  PrintAgainst("without draws", results, &QueryResult::trusting);
   PrintAgainst("shortest", results, &QueryResult::shortest);
   PrintAgainst("cheapest", results, &QueryResult::cheapest);
   PrintAgainst("best of all", results, &QueryResult::best);

@@ -21,8 +21,10 @@ struct Judged {
 struct QueryResult {
   std::string site;
   double distance = 0;
-  Eigen::Vector2d start, goal;              // map coordinates
-  Judged chosen, shortest, cheapest, best;  // the last three of the pool
+  Eigen::Vector2d start, goal;  // map coordinates
+  Judged chosen;
+  Judged trusting;                  // what the plan would choose without draws
+  Judged shortest, cheapest, best;  // of the pool
   double plan_time = 0;
   double sampling_time = 0;  // of the plan: what a kinematic planner would take
   double first_route_time = 0;
