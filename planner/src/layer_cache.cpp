@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include <tbb/task_arena.h>
+
 namespace dbd {
 
 std::shared_ptr<const TrafficabilityLayer> LayerCache::Get(
@@ -29,8 +31,11 @@ std::shared_ptr<const TrafficabilityLayer> LayerCache::Get(
   entry = entries_.insert(entries_.begin(), Entry{terrain, vehicle, max_speed, nullptr});
   lock.unlock();
   try {
-    auto layer = std::make_shared<const TrafficabilityLayer>(*terrain, *vehicle, max_speed,
-                                                             TrafficabilityOptions(), stop);
+    // Alone with its own tasks: another of the caller's might wait for this very layer.
+    auto layer = tbb::this_task_arena::isolate([&] {
+      return std::make_shared<const TrafficabilityLayer>(*terrain, *vehicle, max_speed,
+                                                         TrafficabilityOptions(), stop);
+    });
     lock.lock();
     Keep(entry, layer);
     return layer;
