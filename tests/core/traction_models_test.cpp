@@ -10,6 +10,7 @@
 #include "soil_rule.h"
 #include "support/core_vehicle.h"
 #include "tire_force.h"
+#include "tire_pattern.h"
 
 namespace dbd {
 namespace {
@@ -30,8 +31,8 @@ struct RollingWheel {
     wheel.contact.deflection = load / tire.stiffness;
     wheel.contact.cone_index = soil.cone_index;
     wheel.contact.friction_limit = soil.friction_limit;
-    wheel.contact.rule = MakeSoilRule<double>(&soil, {tire.width, 2 * tire.radius, tire.stiffness},
-                                              wheel.contact.deflection);
+    wheel.contact.rule =
+        MakeSoilRule<double>(&soil, MakeTirePattern(tire), wheel.contact.deflection);
     body.q_WB = {1, 0, 0, 0};
     body.v_WB.x = 5;
     wheel.spin = (slip > 0 ? 5 / (1 - slip) : 5 * (1 + slip)) / Law().rolling_radius;
