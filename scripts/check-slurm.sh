@@ -23,9 +23,9 @@ finish() {
 }
 trap finish EXIT
 
-# Waits at most half a minute for a command to succeed.
+# Waits at most two minutes for a command to succeed.
 await() {
-  tries=150
+  tries=600
   until "$@" > /dev/null 2>&1; do
     tries=$((tries - 1))
     if [ "$tries" -eq 0 ]; then
