@@ -135,6 +135,11 @@ class CornerFinder {
 
 }  // namespace
 
+Corners::Corners() = default;
+Corners::~Corners() = default;
+Corners::Corners(const Corners& other) = default;
+Corners::Corners(Corners&& other) noexcept = default;
+
 std::optional<Corners> FindCorners(const VehicleModel& vehicle) {
   return CornerFinder(vehicle).Find();
 }

@@ -37,6 +37,12 @@ struct CornerElements {
 
 /// Rows of a vehicle's bodies, wheels and force elements.
 struct Corners {
+  // In a translation unit for any processor, as those for wide instructions use them.
+  Corners();
+  ~Corners();
+  Corners(const Corners& other);
+  Corners(Corners&& other) noexcept;
+
   std::vector<CornerRow> bodies;       ///< row 0: the chassis, in every lane
   std::vector<CornerElements> wheels;  ///< body_a: takes the reaction of the drive torque
   std::vector<CornerElements> links;
