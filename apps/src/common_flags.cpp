@@ -24,7 +24,7 @@ void AddCoordinatesFlag(CLI::App* command, Coordinates* coordinates) {
 
 void AddThreadsFlag(CLI::App* command, int* threads) {
   command->add_option("--threads", *threads, "0 = all processors, the default")
-      ->check(CLI::Range(0, 4096))
+      ->check(CLI::Range(0, 1024))
       ->option_text("N");
 }
 
