@@ -45,7 +45,7 @@ void AddPlan(const JobResult& result, ordered_json& answer) {
       plan.blocked_at ? PlaceJson(frame, *plan.blocked_at) : ordered_json(nullptr);
   answer["outcomes"] = OutcomesJson(plan);
   answer["simulated_time"] = Rounded(plan.simulated_time, 3);
-  answer["digest"] = Format("%016llx", static_cast<unsigned long long>(plan.digest));
+  answer["digest"] = HashText(plan.digest);
 }
 
 }  // namespace

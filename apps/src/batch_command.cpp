@@ -149,7 +149,6 @@ class Batch {
     inputs.terrain = terrains_.Get(files);
     inputs.vehicle = vehicles_.Get(request.plan.vehicle);
     inputs.options = MakePlanOptions(request.plan);
-    if (request.plan.deadline_s > 0) inputs.options.deadline = request.plan.deadline_s;
     const auto place = [&](const char* name, const TypedPlace& typed) {
       return LocatePlace(name, typed, request.plan.coordinates, *inputs.terrain);
     };

@@ -195,8 +195,7 @@ int ExitCodeOf(const Matrix& matrix) {
 
 int RunMatrix(const MatrixArguments& arguments) {
   Interrupt interrupt;
-  PlanOptions options = MakePlanOptions(arguments.plan);
-  if (arguments.plan.deadline_s > 0) options.deadline = arguments.plan.deadline_s;
+  const PlanOptions options = MakePlanOptions(arguments.plan);
   const std::vector<SoilState> soils = SoilStates(arguments);
   const MatrixAxes axes = MakeAxes(arguments, soils);
   OutputDirectory output(arguments.plan.out, "--out",

@@ -33,10 +33,6 @@ std::string CsvField(const std::string& text) {
   return quoted + "\"";
 }
 
-std::string DigestText(std::uint64_t digest) {
-  return Format("%016llx", static_cast<unsigned long long>(digest));
-}
-
 ordered_json RouteTotals(const Rollout& rollout) {
   ordered_json route = {{"time", Rounded(rollout.time, 3)},
                         {"length", Rounded(rollout.distance, 3)},
@@ -55,7 +51,7 @@ ordered_json AnswerJson(const MatrixRecord& record, std::size_t index) {
   json["reason"] = answer.reason;
   json["route"] = answer.route ? RouteTotals(*answer.route) : ordered_json(nullptr);
   if (answer.success) json["success"] = SuccessJson(*answer.success, record.frame);
-  if (answer.digest) json["digest"] = DigestText(*answer.digest);
+  if (answer.digest) json["digest"] = HashText(*answer.digest);
   return json;
 }
 
@@ -98,7 +94,7 @@ std::string MatrixCsv(const MatrixRecord& record) {
     csv += answer.success ? Format("%.4f,%.4f,%.4f,", answer.success->share(), answer.success->low,
                                    answer.success->high)
                           : ",,,";
-    csv += CsvField(answer.reason) + "," + (answer.digest ? DigestText(*answer.digest) : "") + "\n";
+    csv += CsvField(answer.reason) + "," + (answer.digest ? HashText(*answer.digest) : "") + "\n";
   }
   return csv;
 }

@@ -65,6 +65,7 @@ PlanOptions MakePlanOptions(const PlanArguments& arguments) {
   options.threads = arguments.threads;
   options.engine =
       arguments.engine == "reference" ? RolloutEngine::kReference : RolloutEngine::kLanes;
+  if (arguments.deadline_s > 0) options.deadline = arguments.deadline_s;
   options.Validate();
   return options;
 }

@@ -175,7 +175,7 @@ std::string PlanJson(const PlanRecord& record) {
   document["simulated_time"] = Rounded(plan.simulated_time, 3);
   document["seed"] = record.options.seed;
   document["engine"] = record.options.engine == RolloutEngine::kReference ? "reference" : "lanes";
-  document["digest"] = Format("%016llx", static_cast<unsigned long long>(plan.digest));
+  document["digest"] = HashText(plan.digest);
   document["timing_s"] = TimingJson(plan);
   document["rests_on"] = RestsOnJson(record);
   document["versions"] = VersionsJson();

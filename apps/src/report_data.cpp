@@ -222,8 +222,7 @@ ordered_json BasisJson(const PlanRecord& record) {
                 uncertainty.spread.elevation_correlation, 100 * uncertainty.min_success)});
   }
   basis.push_back({"seed", std::to_string(record.options.seed)});
-  basis.push_back(
-      {"digest", Format("%016llx", static_cast<unsigned long long>(record.plan.digest))});
+  basis.push_back({"digest", HashText(record.plan.digest)});
   for (const auto& [name, version] : Versions()) basis.push_back({name, version});
   return basis;
 }

@@ -11,6 +11,7 @@
 #include "cli.h"
 #include "scenario_ground_file.h"
 #include "scene_plots.h"
+#include "text.h"
 
 namespace dbd {
 namespace {
@@ -69,7 +70,7 @@ void PrintSummary(const SceneScenario& scenario, const SceneRecord& record, doub
       "%.0f %% of the steps\n",
       record.seconds / wall_seconds, record.bodies, 1e3 * record.step, executor.worker_count(),
       100 * executor.parallel_share());
-  std::printf("  state      %016llx\n", static_cast<unsigned long long>(record.hash));
+  std::printf("  state      %s\n", HashText(record.hash).c_str());
 }
 
 /// Where the pictures go and who draws them, made sure of before the drive.

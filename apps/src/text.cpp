@@ -28,6 +28,10 @@ std::string OneLine(std::string text) {
   return text;
 }
 
+std::string HashText(std::uint64_t hash) {
+  return Format("%016llx", static_cast<unsigned long long>(hash));
+}
+
 std::string FormatDuration(double seconds) {
   if (seconds < 59.95) return Format("%.1f s", seconds);
   const long whole = std::lround(seconds);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
@@ -10,6 +11,9 @@ namespace dbd {
 
 /// Line breaks become spaces.
 std::string OneLine(std::string text);
+
+/// A hash as 16 hexadecimal digits.
+std::string HashText(std::uint64_t hash);
 
 /// "3 min 24 s", "12.4 s".
 std::string FormatDuration(double seconds);

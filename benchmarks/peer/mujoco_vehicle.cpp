@@ -101,16 +101,7 @@ double MujocoVehicle::GroundForce() const {
 
 TrajectoryRow MujocoVehicle::Observe() const {
   const Impl& s = *impl_;
-  const ChassisView chassis = ViewOfChassis(s.Chassis());
-  const Eigen::Vector3d p_WR = chassis.p_WB - chassis.q_WB * s.vehicle.bodies[0].p_RB;
-  TrajectoryRow row;
-  row.t = time();
-  row.x_cg = chassis.p_WB.x();
-  row.z_cg = chassis.p_WB.z();
-  row.z_ref = p_WR.z();
-  row.pitch = chassis.pitch;
-  row.roll = chassis.roll;
-  row.vx = chassis.v_WB.x();
+  TrajectoryRow row = ChassisRow(time(), ViewOfChassis(s.Chassis()), s.vehicle);
   const std::array<int, 4> order = WheelOrder(s.vehicle);
   for (std::size_t i = 0; i < order.size(); ++i) {
     const std::size_t wheel = order[i];

@@ -11,7 +11,8 @@ namespace dbd {
 
 // The numbers of a vehicle's bodies and force elements, brought into lanes.
 
-/// The elements of one row; where a lane has none, `idle`.
+/// The elements of one row; where a lane has none, `idle`. `Real` makes each of these templates a
+/// function of its translation unit's instruction set alone.
 template <class Real, class Element>
 using CornerFour = std::array<const Element*, kCornerLanes>;
 

@@ -124,18 +124,22 @@ std::vector<std::string> TrajectoryColumns() {
           "Fs_rr", "zw_fl", "zw_fr", "zw_rl", "zw_rr", "Ft_fl", "Ft_fr", "Ft_rl", "Ft_rr"};
 }
 
-TrajectoryRow ObserveRow(const Simulation& simulation, const VehicleModel& vehicle) {
-  const std::array<int, 4> order = WheelOrder(vehicle);
-  const ChassisView chassis = simulation.Chassis();
+TrajectoryRow ChassisRow(double time, const ChassisView& chassis, const VehicleModel& vehicle) {
   const Eigen::Vector3d p_WR = chassis.p_WB - chassis.q_WB * vehicle.bodies[0].p_RB;
   TrajectoryRow row;
-  row.t = simulation.time();
+  row.t = time;
   row.x_cg = chassis.p_WB.x();
   row.z_cg = chassis.p_WB.z();
   row.z_ref = p_WR.z();
   row.pitch = chassis.pitch;
   row.roll = chassis.roll;
   row.vx = chassis.v_WB.x();
+  return row;
+}
+
+TrajectoryRow ObserveRow(const Simulation& simulation, const VehicleModel& vehicle) {
+  const std::array<int, 4> order = WheelOrder(vehicle);
+  TrajectoryRow row = ChassisRow(simulation.time(), simulation.Chassis(), vehicle);
   for (std::size_t i = 0; i < 4; ++i) {
     const WheelView wheel = simulation.Wheel(order[i]);
     const int spring = SpringAt(vehicle, order[i]);

@@ -12,6 +12,8 @@ TEST(FormatDuration, ChangesToMinutes) {
   EXPECT_EQ(FormatDuration(204), "3 min 24 s");
 }
 
+TEST(HashText, HasAllItsDigits) { EXPECT_EQ(HashText(0xfcull), "00000000000000fc"); }
+
 TEST(FormatLength, ChangesToKilometers) {
   EXPECT_EQ(FormatLength(999.4), "999 m");
   EXPECT_EQ(FormatLength(1118), "1.12 km");

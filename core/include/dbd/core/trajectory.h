@@ -26,6 +26,9 @@ struct TrajectoryRow {
 /// The columns' names, in the order of the file.
 std::vector<std::string> TrajectoryColumns();
 
+/// Time and chassis of a row, in the columns t to vx; the rest 0.
+TrajectoryRow ChassisRow(double time, const ChassisView& chassis, const VehicleModel& vehicle);
+
 /// The row of a vehicle as it is now: wheels of its foremost and of its rearmost axle; a wheel that
 /// has no spring shows a spring force of 0.
 TrajectoryRow ObserveRow(const Simulation& simulation, const VehicleModel& vehicle);
