@@ -21,12 +21,16 @@ double PoweredSinkage(double cone_index, double load, double width, double diame
                       double deflection_ratio) {
   const ClayNumerics numerics =
       FineGrainedNumerics(cone_index, load, width, diameter, deflection_ratio);
-  return diameter * 1.64 /
-         std::pow(numerics.uncorrected / std::pow(numerics.self_propelled_slip, 0.19), 1.21);
+  return diameter * 1.64 *
+         std::exp(1.21 *
+                  (0.19 * std::log(numerics.self_propelled_slip) - std::log(numerics.uncorrected)));
 }
 
+// In drives sinkage is asked for every wheel many times a second: roots in place of powers where
+// the exponent allows, |s|^(1/3) / N^(5/3) = (|s| N)^(1/3) / N^2.
 double PoweredSinkageAtSlip(const WheelFooting& wheel, double slip) {
-  return wheel.diameter * 5 * std::cbrt(std::abs(slip)) / std::pow(ClayNumeric(wheel), 5.0 / 3.0);
+  const double numeric = ClayNumeric(wheel);
+  return wheel.diameter * 5 * std::cbrt(std::abs(slip) * numeric) / (numeric * numeric);
 }
 
 double UnpoweredSinkage(const WheelFooting& wheel) {

@@ -34,10 +34,13 @@ GeeCloughTraction GeeCloughNetTraction(double mobility, double slip) {
 ClayNumerics FineGrainedNumerics(double cone_index, double load, double width, double diameter,
                                  double deflection_ratio) {
   ClayNumerics numerics;
-  numerics.uncorrected = WheelNumeric(cone_index, load, width, diameter) /
-                         std::pow(1 - std::min(deflection_ratio, 0.9), 1.5);
-  numerics.numeric = numerics.uncorrected / std::pow(1 + width / diameter, 0.75);
-  numerics.self_propelled_slip = std::min(21 / std::pow(numerics.numeric, 2.5) + 0.005, 1.0);
+  const double left = 1 - std::min(deflection_ratio, 0.9), shape = 1 + width / diameter;
+  // Powers of 3/2, 3/4 and 5/2 as roots: a tenth of the time, and drives ask often.
+  numerics.uncorrected = WheelNumeric(cone_index, load, width, diameter) / (left * std::sqrt(left));
+  numerics.numeric = numerics.uncorrected / std::sqrt(shape * std::sqrt(shape));
+  const double squared = numerics.numeric * numerics.numeric;
+  numerics.self_propelled_slip =
+      std::min(21 / (squared * std::sqrt(numerics.numeric)) + 0.005, 1.0);
   return numerics;
 }
 
