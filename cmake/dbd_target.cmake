@@ -5,6 +5,19 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 
+# Compilation goes through ccache where it is installed and can write to its cache.
+find_program(DBD_CCACHE ccache)
+mark_as_advanced(DBD_CCACHE)
+if(DBD_CCACHE AND PROJECT_IS_TOP_LEVEL AND NOT DEFINED CMAKE_CXX_COMPILER_LAUNCHER)
+  file(WRITE ${PROJECT_BINARY_DIR}/CMakeFiles/empty.cpp "")
+  execute_process(COMMAND ${DBD_CCACHE} ${CMAKE_CXX_COMPILER} -c empty.cpp
+    WORKING_DIRECTORY ${PROJECT_BINARY_DIR}/CMakeFiles
+    RESULT_VARIABLE ccache_result OUTPUT_QUIET ERROR_QUIET)
+  if(ccache_result EQUAL 0)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${DBD_CCACHE} CACHE STRING "What compiles through")
+  endif()
+endif()
+
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES AND PROJECT_IS_TOP_LEVEL)
   set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
 endif()
@@ -29,8 +42,9 @@ endfunction()
 function(dbd_add_library name)
   add_library(dbd_${name} ${ARGN})
   add_library(dbd::${name} ALIAS dbd_${name})
-  # Before 1.0 a minor version may change the binary layout.
-  set_target_properties(dbd_${name} PROPERTIES EXPORT_NAME ${name}
+  # Without a symbol of its own, an object of a shared library is compiled as one of a static library
+  # is, so that ccache knows it. Before 1.0 a minor version may change the binary layout.
+  set_target_properties(dbd_${name} PROPERTIES EXPORT_NAME ${name} DEFINE_SYMBOL ""
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
     INSTALL_RPATH "\$ORIGIN")
   target_include_directories(dbd_${name}

@@ -1,7 +1,8 @@
 #!/bin/sh
-# Makes the Debian package of a build, and does with its content what check-install.sh does with an
-# installed build: check-package.sh BUILD_DIRECTORY
-# Needs dpkg; without it, it says so and ends with code 77.
+# Makes the Debian package of a build, and does with it what check-install.sh does with an installed
+# build, in a clean system; with --unpacked, with its content unpacked into a directory instead:
+# check-package.sh BUILD_DIRECTORY [--unpacked]
+# Needs dpkg-dev; without it, it says so and ends with code 77.
 set -eu
 build=$(realpath "$1")
 source=$(cd "$(dirname "$0")/.." && pwd)
@@ -13,4 +14,8 @@ packages=$(mktemp -d)
 trap 'rm -rf "$packages"' EXIT
 cpack -G DEB --config "$build/CPackConfig.cmake" -B "$packages" > "$packages/log"
 dpkg --info "$packages"/*.deb
-"$source/scripts/check-install.sh" "$packages"/*.deb
+if [ "${2:-}" = --unpacked ]; then
+  "$source/scripts/check-install.sh" "$packages"/*.deb
+else
+  "$source/scripts/check-clean-system.sh" "$packages"/*.deb "$source" "$build"
+fi

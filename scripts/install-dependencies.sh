@@ -3,7 +3,7 @@
 # packages may be named: libsimbody-dev and libmujoco-dev add the comparisons with Simbody and MuJoCo.
 set -eu
 
-packages="g++ cmake ninja-build pkg-config git ca-certificates
+packages="g++ cmake ninja-build pkg-config git ca-certificates ccache dpkg-dev
   libeigen3-dev libompl-dev libtbb-dev liboctomap-dev libspdlog-dev
   libgdal-dev libassimp-dev libcairo2-dev libssl-dev libjs-chart.js fonts-dejavu-core gnuplot-nox
   libcli11-dev nlohmann-json3-dev libgtest-dev libgmock-dev libvalijson-dev
