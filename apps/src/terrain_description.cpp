@@ -17,13 +17,25 @@ ordered_json PointJson(const Eigen::Vector2d& point) {
   return ordered_json::array({Rounded(point.x(), 3), Rounded(point.y(), 3)});
 }
 
+// Perhaps degrees.
+ordered_json FilePointJson(const Eigen::Vector2d& point) {
+  return ordered_json::array({Rounded(point.x(), 9), Rounded(point.y(), 9)});
+}
+
+ordered_json NameJson(const std::string& name) {
+  return name.empty() ? ordered_json(nullptr) : ordered_json(name);
+}
+
 ordered_json GroundJson(const TerrainInfo& info) {
   const auto degrees = [](double angle) { return Rounded(ToDegrees(angle), 2); };
   return {{"columns", info.columns},
           {"rows", info.rows},
           {"cell_size", PointJson(info.cell_size)},
           {"extent", PointJson(info.extent)},
-          {"map_crs", info.crs_name.empty() ? ordered_json(nullptr) : ordered_json(info.crs_name)},
+          {"file_crs", NameJson(info.file_crs_name)},
+          {"file_south_west", FilePointJson(info.file_south_west)},
+          {"file_north_east", FilePointJson(info.file_north_east)},
+          {"map_crs", NameJson(info.crs_name)},
           {"map_min", PointJson(info.map_min)},
           {"map_max", PointJson(info.map_max)},
           {"lowest", Rounded(info.lowest, 3)},
@@ -37,15 +49,25 @@ ordered_json GroundJson(const TerrainInfo& info) {
           {"memory_bytes", info.memory_bytes}};
 }
 
+/// In the file's own coordinates, and in those that dbd drives in where they are others.
+std::string CornersText(const TerrainInfo& info) {
+  std::string text = "  requests take places in " +
+                     (info.file_crs_name.empty() ? "the file's coordinates" : info.file_crs_name) +
+                     "\n";
+  text += Format("  x        %.10g to %.10g\n", info.file_south_west.x(), info.file_north_east.x());
+  text += Format("  y        %.10g to %.10g\n", info.file_south_west.y(), info.file_north_east.y());
+  if (info.file_south_west == info.map_min) return text;
+  text += "  drives are in " + info.crs_name + "\n";
+  text += Format("  x        %.2f to %.2f\n", info.map_min.x(), info.map_max.x());
+  return text + Format("  y        %.2f to %.2f\n", info.map_min.y(), info.map_max.y());
+}
+
 std::string GroundText(const TerrainInfo& info) {
   std::string text =
       Format("  ground   %d x %d cells of %.4g m x %.4g m (%s x %s)\n", info.columns, info.rows,
              info.cell_size.x(), info.cell_size.y(), FormatLength(info.extent.x()).c_str(),
              FormatLength(info.extent.y()).c_str());
-  text += Format("  in       %s\n",
-                 info.crs_name.empty() ? "the file's own coordinates" : info.crs_name.c_str());
-  text += Format("  x        %.2f to %.2f\n", info.map_min.x(), info.map_max.x());
-  text += Format("  y        %.2f to %.2f\n", info.map_min.y(), info.map_max.y());
+  text += CornersText(info);
   text += Format("  height   %.2f m to %.2f m\n", info.lowest, info.highest);
   text += Format("  slope    median %.1f°, 90 %% below %.1f°, 99 %% below %.1f°, steepest %.1f°\n",
                  ToDegrees(info.median_slope), ToDegrees(info.slope_90_percent),

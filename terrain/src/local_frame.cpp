@@ -1,26 +1,15 @@
 #include <dbd/core/error.h>
 #include <dbd/terrain/local_frame.h>
-#include <ogr_spatialref.h>
 
 #include <cmath>
 #include <mutex>
 #include <utility>
 
+#include "crs_definition.h"
 #include "gdal_session.h"
-#include "raster_file.h"
 
 namespace dbd {
 namespace {
-
-OGRSpatialReference ParseCrs(const std::string& definition) {
-  OGRSpatialReference crs;
-  if (crs.SetFromUserInput(definition.c_str()) != OGRERR_NONE) {
-    throw InputError("the coordinate system '" + definition.substr(0, 60) + "' is not understood");
-  }
-  crs.StripVertical();
-  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  return crs;
-}
 
 std::string Coordinates(const Eigen::Vector2d& place) {
   return std::to_string(place.x()) + ", " + std::to_string(place.y());
@@ -119,11 +108,6 @@ void LocalFrame::set_source_wkt(std::string wkt) {
   source_from_map_ = std::make_shared<const Transformation>(map, source, "file");
 }
 
-std::string LocalFrame::CrsName() const {
-  if (map_wkt_.empty()) return "";
-  const GdalSession gdal;
-  const OGRSpatialReference map = ParseCrs(map_wkt_);
-  return CrsNameOf(map);
-}
+std::string LocalFrame::CrsName() const { return CrsDefinitionName(map_wkt_); }
 
 }  // namespace dbd

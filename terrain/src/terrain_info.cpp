@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "crs_definition.h"
+
 namespace dbd {
 namespace {
 
@@ -52,6 +54,9 @@ void DescribeHeights(const Terrain& terrain, TerrainInfo* info) {
   info->extent = grid.cell_size.cwiseProduct(Eigen::Vector2d(grid.columns, grid.rows));
   info->map_min = terrain.frame().ToMap(heights.min_corner() - 0.5 * grid.cell_size);
   info->map_max = info->map_min + info->extent;
+  const LocalFrame& frame = terrain.frame();
+  info->file_south_west = frame.ToSource(frame.ToLocal(info->map_min));
+  info->file_north_east = frame.ToSource(frame.ToLocal(info->map_max));
   info->lowest = heights.lowest();
   info->highest = heights.highest();
   info->unknown_share = heights.unknown_share();
@@ -78,6 +83,8 @@ TerrainInfo DescribeTerrain(const Terrain& terrain) {
   DescribeHeights(terrain, &info);
   DescribeMaterials(terrain.materials(), &info);
   info.crs_name = terrain.frame().CrsName();
+  const std::string& file_wkt = terrain.frame().source_wkt();
+  info.file_crs_name = file_wkt.empty() ? info.crs_name : CrsDefinitionName(file_wkt);
   info.memory_bytes = terrain.heights().memory_bytes() + terrain.materials().memory_bytes() +
                       terrain.obstacles().memory_bytes() +
                       (terrain.tin() != nullptr ? terrain.tin()->memory_bytes() : 0);

@@ -174,12 +174,5 @@ TEST_F(Program, DrivesStraightAheadAndAlongItsOwnRoute) {
             "dbd.simulation/1");
 }
 
-TEST_F(Program, DescribesTerrain) {
-  const Ending run = RunDbd("terrain info --json " + Land("dem.tif"));
-  EXPECT_EQ(run.exit_code, 0);
-  EXPECT_EQ(nlohmann::json::parse(run.output)["files"][0]["columns"], 160);
-  EXPECT_GT(nlohmann::json::parse(run.output)["files"][0]["ground"]["slope_deg"]["median"], 0);
-}
-
 }  // namespace
 }  // namespace dbd

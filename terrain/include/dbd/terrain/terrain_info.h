@@ -23,6 +23,9 @@ struct TerrainInfo {
   Eigen::Vector2d extent = Eigen::Vector2d::Zero();  ///< outer edges, east-west and north-south [m]
   Eigen::Vector2d map_min = Eigen::Vector2d::Zero();  ///< outer corner in map coordinates [m]
   Eigen::Vector2d map_max = Eigen::Vector2d::Zero();
+  /// The same corners in the file's own coordinates (x = easting or longitude), which requests use.
+  Eigen::Vector2d file_south_west = Eigen::Vector2d::Zero();
+  Eigen::Vector2d file_north_east = Eigen::Vector2d::Zero();
   double lowest = 0;         ///< [m]
   double highest = 0;        ///< [m]
   double unknown_share = 0;  ///< cells without a height [-]
@@ -33,7 +36,8 @@ struct TerrainInfo {
   double slope_99_percent = 0;
   double steepest_slope = 0;
 
-  std::string crs_name;  ///< empty when there is none
+  std::string crs_name;       ///< of the map coordinates; empty when there is none
+  std::string file_crs_name;  ///< of the file's own coordinates; empty when there is none
   std::size_t memory_bytes = 0;
   std::vector<MaterialShare> materials;  ///< in the table's order, only those that occur
   double unknown_material_share = 0;     ///< [-]
