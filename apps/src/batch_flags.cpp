@@ -23,7 +23,7 @@ void AddBatchFlags(CLI::App* command, BatchArguments* batch) {
   command
       ->add_option("--memory-gb", batch->memory_gb,
                    "Terrains are kept for later requests up to this much; default 4")
-      ->check(CLI::Range(0.0, 1e4))
+      ->check(Within(0.0, 1e4))
       ->option_text("GB");
 }
 

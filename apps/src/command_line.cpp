@@ -107,18 +107,18 @@ void DeclareSimulate(CLI::App* app, Commands* commands) {
       ->option_text("X,Y[,HEADING_DEG]");
   AddCoordinatesFlag(command, &simulate->coordinates);
   command->add_option("--speed-kmh", simulate->speed_kmh, "Target speed, default 18")
-      ->check(CLI::Range(0.1, 500.0))
+      ->check(Within(0.1, 500.0))
       ->option_text("V");
   command
       ->add_option("--duration-s", simulate->duration,
                    "Longest drive; default 60, or what the path needs when that is more")
-      ->check(CLI::Range(0.1, 1e6))
+      ->check(Within(0.1, 1e6))
       ->option_text("T");
   command
       ->add_option("--multipass-exponent", simulate->multipass_exponent,
                    "Ruts deepen with each wheel n of a track as n^(1/A): 2-3 on loose, 4-5 on firm "
                    "soil; default: every wheel finds fresh soil")
-      ->check(CLI::Range(1.0, 10.0))
+      ->check(Within(1.0, 10.0))
       ->option_text("A");
   AddOutFlag(command, &simulate->out);
   AddJsonFlag(command, &simulate->json, "simulate.json instead of the summary");
@@ -128,10 +128,10 @@ void DeclareSimulate(CLI::App* app, Commands* commands) {
 
 void AddScenarioVariants(CLI::App* command, ScenarioArguments* scenario) {
   command->add_option("--target-speed", scenario->target_speed, "Default: the scenario's [m/s]")
-      ->check(CLI::Range(0.1, 100.0))
+      ->check(Within(0.1, 100.0))
       ->option_text("V");
   command->add_option("--bump-radius", scenario->bump_radius, "A half cylinder at x = 15 m [m]")
-      ->check(CLI::Range(0.01, 2.0))
+      ->check(Within(0.01, 2.0))
       ->option_text("R");
   command->add_option("--bump-side", scenario->bump_side, "Under which track, default both")
       ->check(CLI::IsMember({"both", "left", "right"}))
@@ -141,10 +141,10 @@ void AddScenarioVariants(CLI::App* command, ScenarioArguments* scenario) {
                    "Other ground: a CSV grid or an elevation raster, driven east from its origin")
       ->option_text("FILE");
   command->add_option("--link-stiffness", scenario->link_stiffness, "Factor on the stiff links")
-      ->check(CLI::Range(0.01, 1e4))
+      ->check(Within(0.01, 1e4))
       ->option_text("F");
   command->add_option("--step-factor", scenario->step_factor, "Factor on all time steps")
-      ->check(CLI::Range(1e-3, 2.0))
+      ->check(Within(1e-3, 2.0))
       ->option_text("F");
   command->add_flag("--hold", scenario->hold,
                     "Forces of a test rig drive and hold the chassis, not engine and steering");

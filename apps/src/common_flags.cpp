@@ -2,7 +2,21 @@
 
 #include <CLI/CLI.hpp>
 
+#include "text.h"
+
 namespace dbd {
+
+CLI::Validator Within(double low, double high) {
+  return CLI::Validator(
+      [low, high](const std::string& text) {
+        double value = 0;
+        const bool read = CLI::detail::lexical_cast(text, value);
+        return read && value >= low && value <= high
+                   ? std::string()
+                   : Format("'%s' is not a number from %g to %g", text.c_str(), low, high);
+      },
+      Format("NUMBER in [%g, %g]", low, high));
+}
 
 void AddVehicleFlag(CLI::App* command, std::string* vehicle) {
   command->add_option("--vehicle", *vehicle, "Built-in vehicle (dbd vehicle list) or JSON file")

@@ -6,9 +6,13 @@
 
 namespace CLI {
 class App;
+class Validator;
 }
 
 namespace dbd {
+
+/// A number in [low, high]; CLI::Range would let a NaN pass.
+CLI::Validator Within(double low, double high);
 
 // Flags that several sub-commands share. What they fill must outlive the parsing.
 

@@ -20,25 +20,25 @@ void AddUncertaintyFlags(CLI::App* command, PlanArguments* plan) {
       ->add_option("--min-success", plan->min_success,
                    "Least share of the draws on which a route must reach the goal, default 0")
       ->needs(draws)
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(Within(0.0, 1.0))
       ->option_text("SHARE");
   command
       ->add_option("--soil-spread", plan->soil_spread,
                    "Factor on the materials' spread of strength, default 1")
       ->needs(draws)
-      ->check(CLI::Range(0.0, 10.0))
+      ->check(Within(0.0, 10.0))
       ->option_text("F");
   command
       ->add_option("--elevation-error-m", plan->elevation_error_m,
                    "Standard deviation of the heights, default 0")
       ->needs(draws)
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(Within(0.0, 100.0))
       ->option_text("L");
   command
       ->add_option("--elevation-correlation-m", plan->elevation_correlation_m,
                    "Distance over which height errors are alike, default 20")
       ->needs(draws)
-      ->check(CLI::Range(0.1, 1e5))
+      ->check(Within(0.1, 1e5))
       ->option_text("L");
 }
 
@@ -57,14 +57,14 @@ void AddPlanFlags(CLI::App* command, PlanArguments* plan) {
   command
       ->add_option("--max-speed-kmh", plan->max_speed_kmh,
                    "Target speed on open ground, default 28.8")
-      ->check(CLI::Range(0.1, 500.0))
+      ->check(Within(0.1, 500.0))
       ->option_text("V");
   command->add_option("--seed", plan->seed, "Of the sampling, default 1")->option_text("N");
   AddThreadsFlag(command, &plan->threads);
   command
       ->add_option("--deadline", plan->deadline_s,
                    "Answer with the best so far when this many seconds have passed; default: none")
-      ->check(CLI::Range(1e-3, 1e9))
+      ->check(Within(1e-3, 1e9))
       ->option_text("SECONDS");
   command
       ->add_option("--engine", plan->engine,

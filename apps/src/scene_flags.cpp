@@ -10,7 +10,7 @@ namespace {
 /// What both scenes have.
 void AddCommonFlags(CLI::App* command, SceneArguments* scene) {
   command->add_option("--target-speed", scene->target_speed, "Default 5, of a road train 4 [m/s]")
-      ->check(CLI::Range(0.1, 100.0))
+      ->check(Within(0.1, 100.0))
       ->option_text("V");
   command
       ->add_option("--terrain", scene->terrain,
@@ -48,7 +48,7 @@ void DeclareScenes(CLI::App* scenario, SceneArguments* scene, const std::functio
       ->check(CLI::Range(1, 2000))
       ->option_text("N");
   convoy->add_option("--time-gap", scene->time_gap, "Kept to the vehicle ahead, default 1.5 [s]")
-      ->check(CLI::Range(0.01, 60.0))
+      ->check(Within(0.01, 60.0))
       ->option_text("T");
   AddCommonFlags(convoy, scene);
   convoy->callback([scene, chosen] {

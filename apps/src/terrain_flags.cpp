@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "common_flags.h"
+
 namespace dbd {
 namespace {
 
@@ -29,7 +31,7 @@ void AddElevationFlags(CLI::App* command, TerrainArguments* terrain) {
   command
       ->add_option("--fill-distance-m", terrain->fill_distance_m,
                    "How far from known ground holes are filled, default 50")
-      ->check(CLI::Range(0.01, 1e5))
+      ->check(Within(0.01, 1e5))
       ->option_text("L");
 }
 
@@ -38,7 +40,7 @@ void AddMemoryFlag(CLI::App* command, TerrainArguments* terrain) {
       ->add_option("--memory-gb", terrain->memory_gb,
                    "Of a raster that would need more than half of this, the part round start and "
                    "goal, or round the path, is loaded; default 4")
-      ->check(CLI::Range(0.01, 1e4))
+      ->check(Within(0.01, 1e4))
       ->option_text("GB");
 }
 
@@ -51,7 +53,7 @@ void AddSurfaceFlags(CLI::App* command, TerrainArguments* terrain) {
   command
       ->add_option("--surface-cell-m", terrain->surface_cell_m,
                    "Cells of the raster made from it, default by its density")
-      ->check(CLI::Range(0.01, 1000.0))
+      ->check(Within(0.01, 1000.0))
       ->option_text("L");
   command->add_flag("--rasterise", terrain->rasterise,
                     "Drive on a raster of the TIN instead of its triangles");
@@ -102,7 +104,7 @@ void AddObstacleFlags(CLI::App* command, TerrainArguments* terrain) {
   command
       ->add_option("--surface-threshold-m", terrain->surface_threshold_m,
                    "How far it must rise to be one, default 0.5")
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(Within(0.0, 100.0))
       ->option_text("H");
 }
 
