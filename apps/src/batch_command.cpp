@@ -20,6 +20,7 @@
 #include "cli.h"
 #include "console.h"
 #include "interrupt.h"
+#include "plan_request.h"
 #include "text.h"
 
 namespace dbd {
@@ -149,11 +150,9 @@ class Batch {
     inputs.terrain = terrains_.Get(files);
     inputs.vehicle = vehicles_.Get(request.plan.vehicle);
     inputs.options = MakePlanOptions(request.plan);
-    const auto place = [&](const char* name, const TypedPlace& typed) {
-      return LocatePlace(name, typed, request.plan.coordinates, *inputs.terrain);
-    };
-    const LocalPlace start = place("start", request.start), goal = place("goal", request.goal);
-    inputs.request = {start.xy, start.yaw, goal.xy, goal.yaw};
+    inputs.request =
+        MakePlanRequest({"start", request.start, request.plan.coordinates},
+                        {"goal", request.goal, request.plan.coordinates}, *inputs.terrain);
     return inputs;
   }
 

@@ -16,6 +16,7 @@
 #include "interrupt.h"
 #include "matrix_table.h"
 #include "output_directory.h"
+#include "plan_request.h"
 #include "summary.h"
 #include "text.h"
 
@@ -133,12 +134,11 @@ class Matrix {
 
   PlanInputs Prepare(const MatrixPair& pair) const {
     const auto& terrain = terrains_[pair.soil];
-    const auto locate = [&](const char* kind, const MatrixPlace& place) {
-      return LocatePlace(kind + (" " + place.name), place.place, place.coordinates, *terrain);
-    };
-    const LocalPlace start = locate("start", axes_.starts[pair.start]);
-    const LocalPlace goal = locate("goal", axes_.goals[pair.goal]);
-    return {terrain, vehicles_[pair.vehicle], {start.xy, start.yaw, goal.xy, goal.yaw}, options_};
+    const MatrixPlace &start = axes_.starts[pair.start], &goal = axes_.goals[pair.goal];
+    return {terrain, vehicles_[pair.vehicle],
+            MakePlanRequest({"start " + start.name, start.place, start.coordinates},
+                            {"goal " + goal.name, goal.place, goal.coordinates}, *terrain),
+            options_};
   }
 
   void Answer(std::size_t index, const JobResult& result) {

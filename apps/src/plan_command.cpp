@@ -14,22 +14,11 @@
 #include "interrupt.h"
 #include "output_directory.h"
 #include "plan_files.h"
+#include "plan_request.h"
 #include "summary.h"
 
 namespace dbd {
 namespace {
-
-PlanRequest MakeRequest(const PlanArguments& arguments, const TypedPlace& typed_start,
-                        const TypedPlace& typed_goal, const Terrain& terrain) {
-  const LocalPlace start = LocatePlace("--start", typed_start, arguments.coordinates, terrain);
-  const LocalPlace goal = LocatePlace("--goal", typed_goal, arguments.coordinates, terrain);
-  PlanRequest request;
-  request.start = start.xy;
-  request.start_heading = start.yaw;
-  request.goal = goal.xy;
-  request.goal_heading = goal.yaw;
-  return request;
-}
 
 Plan PlanWithProgress(const std::shared_ptr<const Terrain>& terrain,
                       const std::shared_ptr<const VehicleModel>& vehicle,
@@ -81,7 +70,9 @@ int RunPlan(const PlanArguments& arguments) {
   PlacesToKeep places;
   places.In(arguments.coordinates) = {start.xy, goal.xy};
   const auto terrain = LoadTerrain(arguments.terrain, places);
-  const PlanRequest request = MakeRequest(arguments, start, goal, *terrain);
+  const Coordinates coordinates = arguments.coordinates;
+  const PlanRequest request =
+      MakePlanRequest({"--start", start, coordinates}, {"--goal", goal, coordinates}, *terrain);
   if (arguments.deadline_s > 0) options.deadline = TimeLeft(begin, arguments.deadline_s);
   const Plan plan = PlanWithProgress(terrain, vehicle, request, options, interrupt.token());
   const bool stopped =
