@@ -47,6 +47,6 @@ build_library ompl ompl -DOMPL_BUILD_TESTS=OFF -DOMPL_BUILD_DEMOS=OFF -DOMPL_REG
 cmake --preset tsan -DCMAKE_PREFIX_PATH="$libraries/installed" -DDBD_BUILD_APPS=OFF \
   -DDBD_OMPL_LIBRARY="$libraries/ompl/lib/libompl.so" > "$libraries/dbd.log"
 cmake --build --preset tsan --target planner_tests
-export TSAN_OPTIONS="halt_on_error=0:second_deadlock_stack=1:suppressions=$PWD/tests/race_suppressions.txt"
+export TSAN_OPTIONS="second_deadlock_stack=1"
 build/tsan/tests/planner_tests --gtest_filter='*Service.*:LayerCache.*'
 build/tsan/tests/planner_tests --gtest_filter='*ManyClients*' --gtest_repeat="$repeats"
