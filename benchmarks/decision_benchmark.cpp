@@ -76,7 +76,31 @@ struct Driven {
   std::vector<Candidate> candidates;
   std::vector<Rollout> rollouts;
   std::vector<Score> scores;
+
+  void Add(const std::vector<Candidate>& more, const std::vector<Rollout>& their_rollouts,
+           const std::vector<Score>& their_scores) {
+    candidates.insert(candidates.end(), more.begin(), more.end());
+    rollouts.insert(rollouts.end(), their_rollouts.begin(), their_rollouts.end());
+    scores.insert(scores.end(), their_scores.begin(), their_scores.end());
+  }
 };
+
+/// In portions with seeds of their own: the effort of sampling grows faster than the number of
+/// routes that it must tell apart.
+Driven DrivePool(const Terrain& terrain, const VehicleModel& vehicle,
+                 const TrafficabilityLayer& layer, const PlanRequest& request, PlanOptions options,
+                 int count) {
+  constexpr int kPortion = 64;
+  Driven pool;
+  for (int begun = 0; begun < count; begun += kPortion) {
+    ++options.seed;
+    options.sampling.candidates = std::min(kPortion, count - begun);
+    const auto sampled = SampleCandidates(terrain, vehicle, layer, request, options, {});
+    const auto rollouts = EvaluateRollouts(terrain, vehicle, sampled.candidates, options, {}, {});
+    pool.Add(sampled.candidates, rollouts, ScoreRollouts(rollouts, options.scoring));
+  }
+  return pool;
+}
 
 bool IsBetter(const Score& a, const Score& b) {
   return std::pair(!a.feasible, a.total) < std::pair(!b.feasible, b.total);
@@ -136,13 +160,7 @@ QueryResult Ask(const Site& site, const std::shared_ptr<const VehicleModel>& veh
   for (const auto& [stage, seconds] : plan.timing) {
     if (stage != "rollouts" && stage != "draws") result.sampling_time += seconds;
   }
-  PlanOptions many = options;
-  many.sampling.candidates = arguments.pool;
-  many.seed = arguments.seed + 1;
-  Driven driven{
-      SampleCandidates(*site.terrain, *vehicle, layer, request, many, {}).candidates, {}, {}};
-  driven.rollouts = EvaluateRollouts(*site.terrain, *vehicle, driven.candidates, many, {}, {});
-  driven.scores = ScoreRollouts(driven.rollouts, many.scoring);
+  Driven driven = DrivePool(*site.terrain, *vehicle, layer, request, options, arguments.pool);
   const std::size_t pooled = driven.candidates.size();
   result.shortest = PickBy(driven, [&](std::size_t a, std::size_t b) {
     return driven.candidates[a].path.length() < driven.candidates[b].path.length();
@@ -153,9 +171,7 @@ QueryResult Ask(const Site& site, const std::shared_ptr<const VehicleModel>& veh
   result.best = PickBy(driven, [&](std::size_t a, std::size_t b) {
     return driven.scores[a].total < driven.scores[b].total;
   });
-  driven.candidates.insert(driven.candidates.end(), plan.candidates.begin(), plan.candidates.end());
-  driven.rollouts.insert(driven.rollouts.end(), plan.rollouts.begin(), plan.rollouts.end());
-  driven.scores.insert(driven.scores.end(), plan.scores.begin(), plan.scores.end());
+  driven.Add(plan.candidates, plan.rollouts, plan.scores);
   if (plan.chosen) result.chosen.index = pooled + static_cast<std::size_t>(*plan.chosen);
   const auto trusted = std::min_element(plan.scores.begin(), plan.scores.end(), IsBetter);
   if (trusted != plan.scores.end()) {
