@@ -39,7 +39,7 @@ constexpr std::size_t kBins = 5;
 
 void Count(const SuccessEstimate& predicted, const SuccessEstimate& fresh, Bin& bin) {
   ++bin.candidates;
-  bin.predicted += predicted.share();
+  bin.predicted += predicted.p_go();
   bin.draws += fresh.draws;
   bin.reached += fresh.reached;
   bin.within += fresh.share() >= predicted.low && fresh.share() <= predicted.high;
@@ -58,7 +58,7 @@ void Ask(const Site& site, const VehicleModel& vehicle, const TrafficabilityLaye
   const auto told = EstimateSuccess(*site.terrain, vehicle, candidates, scores, fresh, {}, {});
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (!predicted[i] || !told[i]) continue;
-    const auto at = static_cast<std::size_t>(predicted[i]->share() * kBins);
+    const auto at = static_cast<std::size_t>(predicted[i]->p_go() * kBins);
     Count(*predicted[i], *told[i], bins[std::min(at, kBins - 1)]);
   }
 }

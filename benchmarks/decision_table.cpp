@@ -26,8 +26,9 @@ void PrintQuery(int number, const QueryResult& r) {
   PrintRoute("cheapest", r.cheapest);
   PrintRoute("best", r.best);
   if (r.best.reached && r.chosen.reached) std::printf("| regret %5.1f %% ", 100 * Regret(r));
-  std::printf("| %.2f s | %.1f,%.1f %.1f,%.1f\n", r.plan_time, r.start.x(), r.start.y(), r.goal.x(),
-              r.goal.y());
+  std::printf("| %.2f s, first %.2f s, kinematic %.2f s | %.1f,%.1f %.1f,%.1f\n", r.plan_time,
+              r.first_route_time.value_or(-1), r.kinematic_time, r.start.x(), r.start.y(),
+              r.goal.x(), r.goal.y());
   std::fflush(stdout);
 }
 
@@ -65,14 +66,19 @@ void PrintAgainst(const char* name, const std::vector<QueryResult>& results,
       name, reached, holds, solved, better, Quantile(ratios, 0.5));
 }
 
+void PrintTimes(const char* what, const std::vector<double>& seconds) {
+  std::printf("time to %-26s median %.2f s, p95 %.2f s (%zu queries)\n", what,
+              Quantile(seconds, 0.5), Quantile(seconds, 0.95), seconds.size());
+}
+
 }  // namespace
 
 void PrintSummary(const std::vector<QueryResult>& results) {
-  std::vector<double> regrets, plan, first, sampling;
+  std::vector<double> regrets, plan, first, kinematic;
   long solved = 0, answered = 0, holdable = 0, holds = 0;
   for (const QueryResult& r : results) {
-    plan.push_back(r.plan_time), first.push_back(r.first_route_time);
-    sampling.push_back(r.sampling_time);
+    plan.push_back(r.plan_time), kinematic.push_back(r.kinematic_time);
+    if (r.first_route_time) first.push_back(*r.first_route_time);
     if (!r.best.reached) continue;
     ++solved;
     answered += r.chosen.reached;
@@ -89,9 +95,9 @@ void PrintSummary(const std::vector<QueryResult>& results) {
   PrintAgainst("shortest", results, &QueryResult::shortest);
   PrintAgainst("cheapest", results, &QueryResult::cheapest);
   PrintAgainst("best of all", results, &QueryResult::best);
-  std::printf(
-      "time: plan median %.2f s, first driven route %.2f s, layer and sampling alone %.2f s\n",
-      Quantile(plan, 0.5), Quantile(first, 0.5), Quantile(sampling, 0.5));
+  PrintTimes("kinematic planning alone", kinematic);
+  PrintTimes("first driven route", first);
+  PrintTimes("final answer", plan);
 }
 
 }  // namespace dbd

@@ -26,8 +26,8 @@ struct QueryResult {
   Judged trusting;                  // what the plan would choose without draws
   Judged shortest, cheapest, best;  // of the pool
   double plan_time = 0;
-  double sampling_time = 0;  // of the plan: what a kinematic planner would take
-  double first_route_time = 0;
+  double kinematic_time = 0;  // layer and candidates, nothing driven
+  std::optional<double> first_route_time;
 };
 
 /// One line per query.

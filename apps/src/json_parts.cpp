@@ -99,6 +99,7 @@ ordered_json SuccessJson(const SuccessEstimate& estimate, const LocalFrame& fram
   ordered_json success = {{"draws", estimate.draws},
                           {"reached", estimate.reached},
                           {"share", Rounded(estimate.share(), 4)},
+                          {"p_go", Rounded(estimate.p_go(), 4)},
                           {"interval_95", {Rounded(estimate.low, 4), Rounded(estimate.high, 4)}},
                           {"mean_time", Rounded(estimate.mean_time, 3)},
                           {"cvar_10_time", Rounded(estimate.cvar_time, 3)},

@@ -91,7 +91,7 @@ std::string MatrixCsv(const MatrixRecord& record) {
     csv += answer.route ? Format("%.3f,%.3f,%.1f,", answer.route->time, answer.route->distance,
                                  answer.route->energy)
                         : ",,,";
-    csv += answer.success ? Format("%.4f,%.4f,%.4f,", answer.success->share(), answer.success->low,
+    csv += answer.success ? Format("%.4f,%.4f,%.4f,", answer.success->p_go(), answer.success->low,
                                    answer.success->high)
                           : ",,,";
     csv += CsvField(answer.reason) + "," + (answer.digest ? HashText(*answer.digest) : "") + "\n";

@@ -17,8 +17,10 @@ void AddUncertaintyFlags(CLI::App* command, PlanArguments* plan) {
           ->check(CLI::Range(1, 10000))
           ->option_text("N");
   command
-      ->add_option("--min-success", plan->min_success,
-                   "Least share of the draws on which a route must reach the goal, default 0")
+      ->add_option(
+          "--min-success", plan->min_success,
+          "Least share of the draws on which a route must reach the goal (not P(go), which is less "
+          "sure of few draws), default 0")
       ->needs(draws)
       ->check(Within(0.0, 1.0))
       ->option_text("SHARE");

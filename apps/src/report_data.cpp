@@ -148,9 +148,9 @@ std::string CssColor(const Color& color) {
 ordered_json SuccessCells(const Plan& plan, std::size_t i) {
   if (plan.success.empty() || !plan.success[i]) return ordered_json::array();
   const SuccessEstimate& estimate = *plan.success[i];
-  return {Format("%.0f %% (%.0f–%.0f)", 100 * estimate.share(), 100 * estimate.low,
-                 100 * estimate.high),
-          Format("%.1f", estimate.mean_time), Format("%.1f", estimate.cvar_time)};
+  return {
+      Format("%.0f %% (%.0f–%.0f)", 100 * estimate.p_go(), 100 * estimate.low, 100 * estimate.high),
+      Format("%.1f", estimate.mean_time), Format("%.1f", estimate.cvar_time)};
 }
 
 ordered_json CandidateJson(const PlanRecord& record, std::size_t i, const std::string& round,

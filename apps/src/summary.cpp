@@ -90,7 +90,7 @@ std::string SuccessOfRoute(const Plan& plan) {
   return Format(
       "on %d of %d draws of the terrain: P(go) %.0f %% (95 %% interval %.0f to %.0f %%), "
       "mean %s, slowest tenth %s",
-      success->reached, success->draws, 100 * success->share(), 100 * success->low,
+      success->reached, success->draws, 100 * success->p_go(), 100 * success->low,
       100 * success->high, FormatDuration(success->mean_time).c_str(),
       FormatDuration(success->cvar_time).c_str());
 }

@@ -57,7 +57,7 @@ dbd_result NumbersOf(const JobResult& result) {
   AddRoute(*route, numbers);
   if (plan.success.empty()) return numbers;
   if (const auto& success = plan.success[static_cast<std::size_t>(*plan.chosen)]) {
-    numbers.p_go = success->share();
+    numbers.p_go = success->p_go();
     numbers.p_go_low = success->low;
     numbers.p_go_high = success->high;
   }

@@ -19,12 +19,14 @@
 
 #include "candidate_guides.h"
 #include "candidate_random.h"
+#include "lattice_search.h"
 #include "taut_routes.h"
 
 namespace dbd {
 namespace {
 
 constexpr const char* kRoadmapName = "roadmap";
+constexpr const char* kLatticeName = "lattice";
 constexpr int kTautRoutes = 2;
 constexpr double kTautSeparation = 0.2;  // as a share of the usual
 constexpr int kFreeHeadings = 8;
@@ -51,6 +53,7 @@ constexpr double kPenaltyStrength = 0.5;
 // distance, plus some turning radii.
 constexpr double kMarginShare = 0.5;
 constexpr double kMarginInRadii = 10.0;
+constexpr double kNarrowMargin = 4.0;  // times that, where narrow ways are looked for
 
 int Share(double share, int count) { return static_cast<int>(std::ceil(share * count)); }
 
@@ -94,6 +97,7 @@ std::optional<NoRouteDiagnosis> CandidateSearch::Run(CandidatePool* pool,
   for (int wave = 0; wave < kWaves && pool->size() < wanted; ++wave) {
     const int before = pool->size();
     std::vector<RouteDraft> drafts = Generate(NextWave(wave, wanted - pool->size()));
+    if (wave == 0 && !narrow_way_.empty()) drafts.insert(drafts.begin(), NarrowDraft());
     std::vector<RouteDraft> taut;
     if (wave == 0) {
       taut =
@@ -158,6 +162,7 @@ bool CandidateSearch::ConnectRoadmap() {
   const double distance = (request_.goal - request_.start).norm();
   double margin = kMarginShare * distance + kMarginInRadii * turning_radius_;
   std::vector<Eigen::Vector2d> way;
+  if (options_.sampling.narrow_ways) SearchNarrowWays();
   for (int round = 0; round < kRoadmapRounds; ++round) {
     SpanRegion(margin, way);
     // More nodes than this crowd a small region: curves between them would all be loops.
@@ -172,13 +177,23 @@ bool CandidateSearch::ConnectRoadmap() {
     if (round == 0) {
       const CellFlood flood(layer_, request_.start, FloodDirection::kFrom, stop_);
       way = flood.WayTo(request_.goal);
-      query_.guides = GuidePoses(layer_, way, turning_radius_);
+      if (!way.empty()) {
+        query_.guides = GuidePoses(layer_, way, turning_radius_);
+        SearchNarrowWays();
+      }
     } else if (way.empty()) {
       return false;  // nor do the cells connect: more nodes cannot help
     }
     margin *= 2.0;
   }
   return false;
+}
+
+void CandidateSearch::SearchNarrowWays() {
+  const double distance = (request_.goal - request_.start).norm();
+  SpanRegion(kNarrowMargin * (kMarginShare * distance + kMarginInRadii * turning_radius_), {});
+  narrow_way_ = SearchLattice(layer_, turning_radius_, query_, {}, stop_);
+  query_.guides.insert(query_.guides.end(), narrow_way_.begin(), narrow_way_.end());
 }
 
 CandidateSearch::Wave CandidateSearch::NextWave(int wave, int missing) const {
@@ -230,6 +245,12 @@ std::vector<RouteDraft> CandidateSearch::Generate(const Wave& wave) {
     Finish(&drafts[i], DeriveSeed(options_.seed, first_stream + i));
   });
   return drafts;
+}
+
+RouteDraft CandidateSearch::NarrowDraft() {
+  RouteDraft draft{kLatticeName, narrow_way_, 0, {}};
+  Finish(&draft, DeriveSeed(options_.seed, streams_used_++));
+  return draft;
 }
 
 std::vector<std::vector<Pose2>> CandidateSearch::PenalizedRoutes(int count) {

@@ -34,6 +34,8 @@ class CandidateSearch {
                               double towards) const;
   void SpanRegion(double margin, const std::vector<Eigen::Vector2d>& places);
   bool ConnectRoadmap();
+  // Poses along a way through narrow places become nodes of the next roadmap, and a route.
+  void SearchNarrowWays();
   Wave NextWave(int wave, int missing) const;
   // Offers each source's quota first, then what was made on top.
   // Leaves so many places free.
@@ -41,6 +43,7 @@ class CandidateSearch {
   // Where smoothing makes many routes one, the routes as they were found are variants of it.
   void ReserveUnsmoothed(RouteDraft* draft, CandidatePool* pool) const;
   std::vector<RouteDraft> Generate(const Wave& wave);
+  RouteDraft NarrowDraft();
   std::vector<std::vector<Pose2>> PenalizedRoutes(int count);
   void Finish(RouteDraft* draft, std::uint64_t seed) const;
   std::optional<NoRouteDiagnosis> DiagnoseEnds() const;
@@ -53,6 +56,7 @@ class CandidateSearch {
   double turning_radius_;
   RoadmapQuery query_;
   std::unique_ptr<Roadmap> roadmap_;
+  std::vector<Pose2> narrow_way_;   // found on a lattice; empty: none or not looked for
   std::uint64_t streams_used_ = 0;  // seeds handed out so far
 };
 

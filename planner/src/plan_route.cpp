@@ -17,6 +17,7 @@
 #include "deadline.h"
 #include "digest.h"
 #include "plan_budget.h"
+#include "speed_limits.h"
 #include "stage_clock.h"
 
 namespace dbd {
@@ -34,6 +35,11 @@ SamplingOptions Coarser(SamplingOptions sampling) {
   sampling.roadmap_nodes = std::max(10, sampling.roadmap_nodes / 2);
   sampling.planner_iterations = std::max(1, sampling.planner_iterations / 2);
   return sampling;
+}
+
+bool NoneReached(const Plan& plan) {
+  return std::none_of(plan.scores.begin(), plan.scores.end(),
+                      [](const Score& score) { return score.feasible; });
 }
 
 /// The stages of one request, each from the value of the one before, in rounds.
@@ -88,8 +94,18 @@ class Planning {
                    RoundSeed(plan));
       next.resize(std::min(next.size(), static_cast<std::size_t>(count) - variants.size()));
       next.insert(next.end(), variants.begin(), variants.end());
+      if (NoneReached(plan)) DriveWithCare(next);
       clock.Finish("candidates");
       if (!next.empty()) Drive("learn", std::move(next), plan, clock);
+    }
+  }
+
+  /// What no drive got through at the usual speed may be passed at a walking pace.
+  void DriveWithCare(std::vector<Candidate>& candidates) const {
+    for (Candidate& candidate : candidates) {
+      const std::vector<SpeedCap> caps = CapsBesideObstacles(terrain_, vehicle_, candidate.path);
+      if (!caps.empty()) candidate.origin += "+careful";
+      candidate.speed_caps.insert(candidate.speed_caps.end(), caps.begin(), caps.end());
     }
   }
 
@@ -117,7 +133,10 @@ class Planning {
     PlanOptions options = options_;
     options.sampling.candidates = count;
     options.seed = RoundSeed(plan);
-    if (!plan.rounds.empty()) options.sampling = Coarser(options.sampling);
+    if (!plan.rounds.empty()) {
+      options.sampling = Coarser(options.sampling);
+      options.sampling.narrow_ways |= NoneReached(plan);
+    }
     if (count == 0) return {};
     return SampleCandidates(terrain_, vehicle_, layer, request_, options, progress_, stop_,
                             plan.candidates);

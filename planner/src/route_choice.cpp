@@ -54,9 +54,9 @@ std::string ExplainChoice(const Plan& plan, const std::vector<Score>& scores, in
 
 std::string ExplainSuccess(const SuccessEstimate& estimate) {
   return Format(
-      "reached the goal on %d of %d draws of the terrain (%.0f %%, 95 %% interval %.0f to "
+      "reached the goal on %d of %d draws of the terrain (P(go) %.0f %%, 95 %% interval %.0f to "
       "%.0f %%)",
-      estimate.reached, estimate.draws, 100 * estimate.share(), 100 * estimate.low,
+      estimate.reached, estimate.draws, 100 * estimate.p_go(), 100 * estimate.low,
       100 * estimate.high);
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dbd {
 namespace {
@@ -47,7 +48,48 @@ std::vector<double> SpreadOverVehicle(const std::vector<double>& limits, double 
   return spread;
 }
 
+/// How fast people drive with how little room.
+struct Passing {
+  double room;   // [m] on all sides of the vehicle
+  double speed;  // [m/s] with less
+};
+constexpr Passing kPassings[] = {{0.35, 1.2}, {0.8, 2.2}};
+
+/// Infinite where there is room.
+double SpeedBesideObstacles(const Terrain& terrain, const VehicleModel& vehicle, const Path& path,
+                            double s) {
+  const VehicleOutline& outline = vehicle.outline;
+  const double body_ahead = vehicle.bodies.empty() ? 0 : vehicle.bodies[0].p_RB.x();
+  const double ahead = body_ahead + 0.5 * (outline.front - outline.rear) - vehicle.path_point_x();
+  const double heading = path.Heading(s);
+  const Eigen::Vector2d center =
+      path.Position(s) + ahead * Eigen::Vector2d(std::cos(heading), std::sin(heading));
+  const Eigen::Vector2d half(0.5 * (outline.front + outline.rear), outline.half_width);
+  for (const Passing& passing : kPassings) {
+    const Eigen::Vector2d extents = half + Eigen::Vector2d::Constant(passing.room);
+    if (terrain.obstacles().BlocksBox(center, heading, extents, outline.height)) {
+      return passing.speed;
+    }
+  }
+  return std::numeric_limits<double>::infinity();
+}
+
 }  // namespace
+
+std::vector<SpeedCap> CapsBesideObstacles(const Terrain& terrain, const VehicleModel& vehicle,
+                                          const Path& path) {
+  std::vector<SpeedCap> caps;
+  if (terrain.obstacles().empty()) return caps;
+  for (double s = 0; s <= path.length(); s += kSpeedLimitSpacing) {
+    const double speed = SpeedBesideObstacles(terrain, vehicle, path, s);
+    if (!std::isfinite(speed)) continue;
+    if (caps.empty() || caps.back().speed != speed || caps.back().to < s) {
+      caps.push_back({s, s, speed});
+    }
+    caps.back().to = s + kSpeedLimitSpacing;
+  }
+  return caps;
+}
 
 void ApplySpeedCaps(const std::vector<SpeedCap>& caps, std::vector<double>& limits) {
   for (std::size_t i = 0; i < limits.size(); ++i) {

@@ -17,6 +17,12 @@ namespace dbd {
 std::vector<double> GroundSpeedLimits(const Terrain& terrain, const VehicleModel& vehicle,
                                       const Path& path);
 
+/// How fast a driver goes who wants to touch nothing: a driver cuts corners, the more the faster,
+/// and drifts on side slopes. Stretches of the path where an obstacle is near the vehicle's box;
+/// none where nothing is.
+std::vector<SpeedCap> CapsBesideObstacles(const Terrain& terrain, const VehicleModel& vehicle,
+                                          const Path& path);
+
 /// Lowers limits every `kSpeedLimitSpacing` along a path to those of the caps.
 void ApplySpeedCaps(const std::vector<SpeedCap>& caps, std::vector<double>& limits);
 

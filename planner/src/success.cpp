@@ -122,7 +122,7 @@ double MeanOfLargest(std::vector<double> values, double share) {
 }
 
 double ExpectedCost(const SuccessEstimate& estimate) {
-  return estimate.reached > 0 ? estimate.mean_score / estimate.share() : kInfinity;
+  return estimate.reached > 0 ? estimate.mean_score / estimate.p_go() : kInfinity;
 }
 
 std::vector<std::optional<SuccessEstimate>> EstimateSuccess(

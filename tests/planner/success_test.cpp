@@ -31,10 +31,35 @@ TEST(MeanOfLargest, TakesTheTail) {
   EXPECT_EQ(MeanOfLargest({}, 0.1), 0);
 }
 
+// Laplace: after 16 of 16 the next succeeds with 17/18, after 0 of 16 with 1/18.
+TEST(SuccessEstimate, PromisesNothingForCertain) {
+  SuccessEstimate estimate;
+  EXPECT_DOUBLE_EQ(estimate.p_go(), 0.5);
+  estimate.draws = 16;
+  EXPECT_DOUBLE_EQ(estimate.p_go(), 1.0 / 18);
+  estimate.reached = 16;
+  EXPECT_DOUBLE_EQ(estimate.p_go(), 17.0 / 18);
+  EXPECT_DOUBLE_EQ(estimate.share(), 1);
+}
+
+TEST(SuccessEstimate, LiesInWilsonsInterval) {
+  for (int draws = 1; draws <= 40; ++draws) {
+    for (int reached = 0; reached <= draws; ++reached) {
+      SuccessEstimate estimate;
+      estimate.draws = draws, estimate.reached = reached;
+      const Interval interval = WilsonInterval(reached, draws);
+      EXPECT_GT(estimate.p_go(), interval.low);
+      EXPECT_LT(estimate.p_go(), interval.high);
+    }
+  }
+}
+
 TEST(ExpectedCost, AFailureCostsAnotherTry) {
   SuccessEstimate estimate;
   estimate.draws = 10, estimate.reached = 5, estimate.mean_score = 40;
   EXPECT_DOUBLE_EQ(ExpectedCost(estimate), 80);
+  estimate.reached = 10;
+  EXPECT_DOUBLE_EQ(ExpectedCost(estimate), 40.0 * 12 / 11);
   estimate.reached = 0;
   EXPECT_TRUE(std::isinf(ExpectedCost(estimate)));
 }

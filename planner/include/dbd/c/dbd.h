@@ -150,7 +150,7 @@ typedef struct dbd_result {
   size_t points;   /* of the driven route */
   int candidates;  /* that were driven */
   int reached;     /* of these, the goal */
-  double p_go;     /* share of the draws that reached the goal; NAN without draws */
+  double p_go;     /* (reached + 1) / (draws + 2); NAN without draws */
   double p_go_low; /* its 95 % interval */
   double p_go_high;
   uint64_t digest; /* of everything that must be reproducible */

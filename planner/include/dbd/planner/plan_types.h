@@ -21,6 +21,7 @@ struct SamplingOptions {
   int roadmap_nodes = 3000;       ///< of the penalised-search roadmap
   int planner_iterations = 2000;  ///< of each OPTIMISING planner run
   double min_separation = 5.0;    ///< routes nearer to each other than this are the same [m]
+  bool narrow_ways = false;       ///< search a lattice even where random samples find routes
 };
 
 /// How the budget of driven candidates is spent: some are driven first, what they met guides the
@@ -182,7 +183,14 @@ struct SuccessEstimate {
   std::string failure;    ///< why it failed on the first draw on which it did; empty: on none
   Eigen::Vector3d failed_at = Eigen::Vector3d::Zero();  ///< where, in W
 
+  /// Of the draws: what `UncertaintyOptions::min_success` is compared with.
   double share() const { return draws > 0 ? static_cast<double>(reached) / draws : 0; }
+
+  /// P(go): the probability to reach the goal on a fresh draw. Laplace's rule of succession, the
+  /// mean of the posterior when beforehand every probability is as likely (P. S. Laplace 1814); the
+  /// share itself promises too much where few draws all succeeded. It lies between the share and
+  /// the middle of Wilson's interval, so always in the interval.
+  double p_go() const { return (reached + 1.0) / (draws + 2.0); }
 };
 
 /// What one round of sampling and driving gained.

@@ -23,8 +23,8 @@ Interval WilsonInterval(int successes, int trials);
 /// Mean of the largest values: `share` of them, rounded up to at least one. Zero without values.
 double MeanOfLargest(std::vector<double> values, double share);
 
-/// Cost of a route that may fail: the mean score of the drives that arrive over the share that
-/// does, as if a failure cost another try. Infinite when none arrives.
+/// Cost of a route that may fail: the mean score of the drives that arrive over P(go), as if a
+/// failure cost another try. Infinite when none arrives.
 double ExpectedCost(const SuccessEstimate& estimate);
 
 /// Drives the best few of the candidates that reached the goal on draws of the terrain, all of them
