@@ -64,6 +64,9 @@ TerrainArguments ReadTerrain(const JsonObject& line) {
   terrain.material_field = line.Text("material_field", "");
   terrain.unknown_material = line.Text("unknown_material", "");
   terrain.material_table = line.Text("material_table", "");
+  if (line.Has("moisture")) {
+    terrain.moisture = Choice(line, "moisture", "moist", {"dry", "moist", "wet"});
+  }
   terrain.obstacles = line.Text("obstacles", "");
   terrain.obstacles_origin = Placement(line, "obstacles_origin");
   terrain.unknown_space = Choice(line, "unknown_space", "free", {"free", "blocked"});

@@ -25,16 +25,27 @@ namespace {
 
 constexpr std::size_t kMostPairs = 1'000'000;
 
-/// A state of the soil: a name, and which table holds then.
+/// A state of the soil: a name, and which table and moisture hold then.
 struct SoilState {
   std::string name;
   TerrainArguments terrain;
 };
 
 SoilState ParseSoilState(const std::string& text, const TerrainArguments& terrain) {
+  if (MoistureStateOf(text)) {
+    SoilState state{text, terrain};
+    state.terrain.moisture = text;
+    return state;
+  }
   const std::size_t equals = text.find('=');
   if (equals == 0 || equals == std::string::npos || equals + 1 == text.size()) {
-    throw InputError("--soil: '" + text + "' is not NAME=TABLE");
+    throw InputError("--soil: '" + text + "' is neither dry, moist, wet nor NAME=TABLE");
+  }
+  if (terrain.materials.empty()) {
+    throw InputError("--soil " + text + " needs --materials: where do its classes lie?");
+  }
+  if (!terrain.material_table.empty()) {
+    throw InputError("--soil " + text + " excludes --material-table");
   }
   SoilState state{text.substr(0, equals), terrain};
   state.terrain.material_table = text.substr(equals + 1);
@@ -44,9 +55,6 @@ SoilState ParseSoilState(const std::string& text, const TerrainArguments& terrai
 std::vector<SoilState> SoilStates(const MatrixArguments& arguments) {
   const TerrainArguments& terrain = arguments.plan.terrain;
   if (arguments.soils.empty()) return {{"", terrain}};
-  if (terrain.materials.empty()) {
-    throw InputError("--soil needs --materials: where do its classes lie?");
-  }
   std::vector<SoilState> states;
   for (const std::string& text : arguments.soils) states.push_back(ParseSoilState(text, terrain));
   return states;

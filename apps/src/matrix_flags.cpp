@@ -27,11 +27,12 @@ void AddMatrixFlags(CLI::App* command, MatrixArguments* matrix) {
   PlanArguments* plan = &matrix->plan;
   AddTerrainFlags(command, &plan->terrain);
   command
-      ->add_option("--soil", matrix->soils,
-                   "A state of the soil: its name and the material table that holds then, instead "
-                   "of --material-table")
-      ->excludes("--material-table")
-      ->option_text("NAME=TABLE...");
+      ->add_option(
+          "--soil", matrix->soils,
+          "States of the soil, each dry, moist or wet as for --moisture, or a name and the "
+          "material table that holds then, instead of --material-table")
+      ->excludes("--moisture")
+      ->option_text("dry|moist|wet|NAME=TABLE...");
   command
       ->add_option("--vehicle", matrix->vehicles,
                    "Built-in vehicles (dbd vehicle list) or JSON files")

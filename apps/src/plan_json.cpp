@@ -35,6 +35,7 @@ ordered_json TerrainJson(const TerrainArguments& files) {
     if (!files.material_field.empty()) terrain["material_field"] = files.material_field;
     if (!files.unknown_material.empty()) terrain["unknown_material"] = files.unknown_material;
   }
+  if (!files.moisture.empty()) terrain["moisture"] = files.moisture;
   if (!files.obstacles.empty()) terrain["obstacles"] = files.obstacles;
   if (!files.obstacles_origin.empty()) terrain["obstacles_origin"] = files.obstacles_origin;
   if (!files.dem_origin.empty()) terrain["dem_origin"] = files.dem_origin;

@@ -81,6 +81,11 @@ void AddMaterialFlags(CLI::App* command, TerrainArguments* terrain) {
       ->add_option("--material-table", terrain->material_table,
                    "What the classes mean: a built-in table or a JSON file")
       ->option_text("NAME|FILE");
+  command
+      ->add_option("--moisture", terrain->moisture,
+                   "How wet the soils are; default: as the table states them, moist")
+      ->check(CLI::IsMember({"dry", "moist", "wet"}))
+      ->option_text("dry|moist|wet");
 }
 
 void AddObstacleFlags(CLI::App* command, TerrainArguments* terrain) {

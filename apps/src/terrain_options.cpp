@@ -52,6 +52,7 @@ TerrainFiles MakeTerrainFiles(const TerrainArguments& arguments) {
   files.material_field = arguments.material_field;
   files.unknown_material = arguments.unknown_material;
   files.material_table = arguments.material_table;
+  files.moisture = MoistureStateOf(arguments.moisture);
   files.obstacles = arguments.obstacles;
   files.elevation_placement = ParsePlacement("--dem-origin", arguments.dem_origin);
   files.memory_limit = 1e9 * arguments.memory_gb;

@@ -26,6 +26,7 @@ struct TerrainArguments {
   std::string material_field;
   std::string unknown_material;
   std::string material_table;
+  std::string moisture;  ///< "dry", "moist", "wet" or empty: as the table states them
   std::string obstacles;
   std::string obstacles_origin;  ///< "X,Y[,YAW_DEG]" or empty: in map coordinates
   std::string unknown_space = "free";

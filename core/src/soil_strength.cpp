@@ -116,6 +116,8 @@ std::optional<UscsClass> UscsClassOf(const std::string& name) {
   return std::nullopt;
 }
 
+std::string UscsName(UscsClass soil) { return kFits[static_cast<std::size_t>(soil)].name; }
+
 SoilStrength FittedSoilStrength(UscsClass soil, double moisture) {
   const MoistureFit& fit = kFits[static_cast<std::size_t>(soil)];
   const double log_moisture = std::log(moisture);
@@ -132,6 +134,24 @@ SoilStrength SoilStrengthAt(UscsClass soil, double moisture) {
     strength.rating_cone_index = std::min(strength.rating_cone_index, strength.cone_index);
   }
   return strength;
+}
+
+std::optional<MoistureState> MoistureStateOf(const std::string& name) {
+  if (name == "dry") return MoistureState::kDry;
+  if (name == "moist") return MoistureState::kMoist;
+  if (name == "wet") return MoistureState::kWet;
+  return std::nullopt;
+}
+
+double MoistureFactor(UscsClass soil, MoistureState state) {
+  constexpr std::array<double, 3> kMoistures = {12, 22, 35};  // [% of dry weight]
+  const bool holds_more =
+      soil == UscsClass::kCH || soil == UscsClass::kMH || soil == UscsClass::kOH;
+  const auto strength = [&](MoistureState at) {
+    const double moisture = kMoistures[static_cast<std::size_t>(at)] + (holds_more ? 10 : 0);
+    return SoilStrengthAt(soil, moisture).cone_index;
+  };
+  return strength(state) / strength(MoistureState::kMoist);
 }
 
 double MovementSpeed(const MovementFactors& factors) {

@@ -16,6 +16,9 @@ constexpr double kSlowdown = 0.8;
 constexpr double kRiskPole = 1.15;
 constexpr double kLargestRisk = 100.0;
 constexpr double kUsedBesideObstacle = 0.6;
+// Drivers keep to a path within some decimetres: with less room than this, luck decides.
+constexpr double kElbowRoom = 0.5;  // [m] on top of the obstacle margin
+constexpr double kUsedWithoutElbowRoom = 0.9;
 
 void Check(bool holds, const char* field, double value, const char* rule) {
   if (holds) return;
@@ -111,7 +114,7 @@ NoGoReason TrafficabilityLayer::Judge(const Cell& cell, double x, double y, doub
   const double climbable = footings_[cell.material].net_traction_ratio * (1 + options_.tolerance);
   if (grade > climbable) return NoGoReason::kTraction;
   if ((cell.flags & kRugged) && BellyTouches(x, y, cos_h, sin_h)) return NoGoReason::kClearance;
-  if ((cell.flags & kNearObstacle) && HitsObstacle(x, y, cos_h, sin_h)) {
+  if ((cell.flags & kNearObstacle) && HitsObstacle(x, y, cos_h, sin_h, options_.obstacle_margin)) {
     return NoGoReason::kObstacle;
   }
   if ((cell.flags & kNearImpassable) && WheelIsOnImpassable(x, y, cos_h, sin_h)) {
@@ -143,9 +146,9 @@ bool TrafficabilityLayer::BellyTouches(double x, double y, double cos_h, double 
   return z[1] - 0.5 * (z[0] + z[2]) > crest_limit_;
 }
 
-bool TrafficabilityLayer::HitsObstacle(double x, double y, double cos_h, double sin_h) const {
+bool TrafficabilityLayer::HitsObstacle(double x, double y, double cos_h, double sin_h,
+                                       double margin) const {
   const Eigen::Vector2d center(x + box_center_ahead_ * cos_h, y + box_center_ahead_ * sin_h);
-  const double margin = options_.obstacle_margin;
   const Eigen::Vector2d half_extents(0.5 * (outline_.front + outline_.rear) + margin,
                                      outline_.half_width + margin);
   return terrain_->obstacles().BlocksBox(center, std::atan2(sin_h, cos_h), half_extents,
@@ -157,8 +160,13 @@ double TrafficabilityLayer::UsedShare(const Cell& cell, double grade, double sid
   double used = std::max(std::abs(grade) / limits_.pitch, std::abs(side_slope) / limits_.roll);
   used = std::max(used, std::hypot(grade, side_slope) / limits_.slope);
   used = std::max(used, grade / footing.net_traction_ratio);
-  used = std::max(used, footing.sinkage_share);
-  return (cell.flags & kNearObstacle) ? std::max(used, kUsedBesideObstacle) : used;
+  return std::max(used, footing.sinkage_share);
+}
+
+double TrafficabilityLayer::UsedBesideObstacles(double x, double y, double cos_h,
+                                                double sin_h) const {
+  const double room = options_.obstacle_margin + kElbowRoom;
+  return HitsObstacle(x, y, cos_h, sin_h, room) ? kUsedWithoutElbowRoom : kUsedBesideObstacle;
 }
 
 double TrafficabilityLayer::SecondsPerMetre(double x, double y, double heading) const {
@@ -172,7 +180,8 @@ double TrafficabilityLayer::SecondsPerMetre(double x, double y, double heading) 
   if (flat_) return min_seconds_per_metre();
   const double grade = cell->grade_x * cos_h + cell->grade_y * sin_h;
   const double side_slope = cell->grade_y * cos_h - cell->grade_x * sin_h;
-  const double used = UsedShare(*cell, grade, side_slope);
+  double used = UsedShare(*cell, grade, side_slope);
+  if (cell->flags & kNearObstacle) used = std::max(used, UsedBesideObstacles(x, y, cos_h, sin_h));
   const double open = std::max(0.1, 1.0 - kSlowdown * used);
   const double speed = max_speed_ * open / (1.0 + cell->roughness / options_.roughness_scale);
   const double margin_left = std::max(1e-3, kRiskPole - used);

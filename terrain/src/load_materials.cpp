@@ -87,6 +87,7 @@ MaterialMap LoadMaterials(const TerrainFiles& files, const ElevationRaster& elev
                           const LocalFrame& frame, std::vector<std::string>* notes) {
   MaterialTable table =
       MaterialTable::Load(files.material_table.empty() ? kDefaultTable : files.material_table);
+  if (files.moisture) table = table.InState(*files.moisture);
   if (files.materials.empty()) return MaterialMap(table.GetName(files.default_material));
   RasterRequest request;
   request.files = {files.materials};

@@ -65,6 +65,21 @@ SoilSample ParseSoil(const JsonObject& row) {
   return soil;
 }
 
+std::optional<UscsClass> ParseUscsClass(const JsonObject& row) {
+  if (!row.Has("uscs")) return std::nullopt;
+  const std::string name = row.Text("uscs");
+  const std::optional<UscsClass> soil = UscsClassOf(name);
+  if (!soil) {
+    row.Fail("uscs", "is \"" + name +
+                         "\", must be SW, SP, SM, SC, SM-SC, ML, CL-ML, CL, OL, CH, MH "
+                         "or OH");
+  }
+  if (row.Has("plate")) {
+    row.Fail("uscs", "cannot be with \"plate\": how moisture changes its constants is not known");
+  }
+  return soil;
+}
+
 Material ParseMaterial(const JsonObject& row) {
   Material material;
   material.code = row.Integer("code", 0, std::numeric_limits<int>::max());
@@ -72,6 +87,7 @@ Material ParseMaterial(const JsonObject& row) {
   material.soil = ParseSoil(row);
   material.cone_index_spread = row.Number("cone_index_spread", 0, 1, material.cone_index_spread);
   material.passable = row.Flag("passable", material.passable);
+  material.uscs = ParseUscsClass(row);
   material.source = row.Text("source", "assumed");
   row.RefuseUnknownKeys();
   return material;
@@ -187,6 +203,24 @@ const Material& MaterialTable::GetName(const std::string& name) const {
   for (const Material& material : materials_) names.insert(material.name);
   throw InputError("material '" + name + "' is not in the material table '" + name_ +
                    "'; nearest is '" + internal::NearestWord(name, names) + "'");
+}
+
+MaterialTable MaterialTable::InState(MoistureState state) const {
+  const double strongest = Psi(300);
+  std::vector<Material> materials = materials_;
+  bool any = false;
+  for (Material& material : materials) {
+    if (!material.uscs) continue;
+    any = true;
+    const double moist = material.soil.cone_index;
+    material.soil.cone_index =
+        std::min(moist * MoistureFactor(*material.uscs, state), std::max(moist, strongest));
+  }
+  if (!any) {
+    throw InputError("moisture changes nothing: no material of the table '" + name_ +
+                     "' has a soil class, \"uscs\"");
+  }
+  return MaterialTable(name_, std::move(materials));
 }
 
 }  // namespace dbd

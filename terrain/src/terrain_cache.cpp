@@ -46,7 +46,8 @@ std::string ContentKey(const TerrainFiles& files) {
   AddFile(files.materials, key);
   AddFile(files.material_table, key);
   key << files.materials_band << '|' << files.material_field << '|' << files.default_material << '|'
-      << files.unknown_material << '|';
+      << files.unknown_material << '|' << (files.moisture ? static_cast<int>(*files.moisture) : -1)
+      << '|';
   AddFile(files.obstacles, key);
   AddPlacement(files.obstacles_placement, key);
   AddFile(files.surface_model, key);

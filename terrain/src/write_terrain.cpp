@@ -153,6 +153,7 @@ void WriteTable(const std::string& file, const MaterialTable& table) {
                     {"cone_index_spread", material.cone_index_spread},
                     {"passable", material.passable},
                     {"source", material.source}});
+    if (material.uscs) rows.back()["uscs"] = UscsName(*material.uscs);
   }
   const nlohmann::ordered_json root = {
       {"schema", "dbd.materials/1"}, {"name", "generated"}, {"materials", rows}};

@@ -62,6 +62,15 @@ TEST_F(EngineFlags, MultipassExponentDeepensRuts) {
   EXPECT_GT(loose, firm);
 }
 
+TEST_F(EngineFlags, WetSoilsLetWheelsSinkDeeper) {
+  const double stated = Sinkage("");
+  EXPECT_EQ(Sinkage("--moisture moist"), stated);
+  EXPECT_GT(Sinkage("--moisture wet"), 1.5 * stated);
+  EXPECT_LT(Sinkage("--moisture dry"), stated);
+  const json plan = PlanWith("--moisture dry");
+  EXPECT_EQ(plan["request"]["terrain"]["moisture"], "dry");
+}
+
 TEST_F(EngineFlags, EngineChoosesThePrecision) {
   const json lanes = PlanWith("--engine lanes");
   EXPECT_EQ(PlanWith("")["digest"], lanes["digest"]);
@@ -75,6 +84,7 @@ TEST_F(EngineFlags, WrongValuesAreRefused) {
   const std::string plan = PlanCommand(Land("dem.tif"), std::string(kVehicle) + kEnds);
   ExpectRefusal("scenario A --tire-scheme round", "--tire-scheme: round not in {split,hold}");
   ExpectRefusal("scenario A --tire-scheme hold --vertical-tire", "excludes --vertical-tire");
+  ExpectRefusal(plan + "--moisture soaked", "--moisture: soaked not in {dry,moist,wet}");
   ExpectRefusal(plan + "--engine fast", "--engine: fast not in {lanes,reference}");
   for (const std::string wrong : {"0.9", "11", "deep", "nan", "-nan", "inf", "''"}) {
     ExpectRefusal(SimulateCommand("--multipass-exponent=" + wrong), "--multipass-exponent: ");

@@ -99,6 +99,17 @@ TEST_F(MatrixProgram, SpansVehiclesAndSoilsAndWritesRoutesOnRequest) {
   EXPECT_EQ(ReadWhole(Scratch("out/matrix.csv")), csv);
 }
 
+TEST_F(MatrixProgram, SoilsCanBeStatesOfOneTable) {
+  const std::string ends = " --vehicle tomcar-tm27 --start 500030,5200030 --goal 500060,5200030";
+  EXPECT_EQ(RunMatrix("--soil dry wet" + ends).exit_code, 0);
+  const json pairs = Table()["pairs"];
+  ASSERT_EQ(pairs.size(), 2U);
+  EXPECT_EQ(pairs[0]["soil"], "dry");
+  EXPECT_NE(pairs[0]["digest"], pairs[1]["digest"]);
+  EXPECT_EQ(RunMatrix("--moisture wet" + ends).exit_code, 0);
+  EXPECT_EQ(Table()["pairs"][0]["digest"], pairs[1]["digest"]);
+}
+
 TEST_F(MatrixProgram, RefusesWrongInput) {
   const std::string ends = "--start 500030,5200030 --goal 500060,5200030 ";
   const std::string good = std::string(kVehicle) + ends;
@@ -110,11 +121,13 @@ TEST_F(MatrixProgram, RefusesWrongInput) {
   ExpectRefusal(Command("--vehicle moped " + ends), "moped");
   ExpectRefusal(Command("--vehicle tomcar-tm27 tomcar-tm27 " + ends), "there twice");
   ExpectRefusal(Command(good + "--goals /nonexistent.csv"), "/nonexistent.csv: no such file");
-  ExpectRefusal(Command(good + "--soil dry=uscs"), "--soil needs --materials");
+  ExpectRefusal(Command(good + "--soil dry=uscs"), "--soil dry=uscs needs --materials");
   const std::string materials = "--materials " + Land("materials.tif") + " ";
-  ExpectRefusal(Command(good + materials + "--soil uscs"), "'uscs' is not NAME=TABLE");
+  ExpectRefusal(Command(good + materials + "--soil uscs"),
+                "'uscs' is neither dry, moist, wet nor NAME=TABLE");
   ExpectRefusal(Command(good + materials + "--soil a=uscs --material-table uscs"), "excludes");
   ExpectRefusal(Command(good + materials + "--soil a=basic a=basic"), "there twice");
+  ExpectRefusal(Command(good + "--soil dry wet --moisture wet"), "excludes");
   Write("given.csv", "name,x,y\na,500060,5200030\na,500050,5200030\n");
   ExpectRefusal(Command(good + "--goals " + Scratch("given.csv")), "'a' is there twice");
   Write("given.asc",

@@ -205,6 +205,20 @@ TEST(Uscs, UsableStrengthIsKeptInRange) {
   EXPECT_GE(ToPsi(SoilStrengthAt(UscsClass::kSM, 95).rating_cone_index), 1 - 1e-12);
 }
 
+TEST(Uscs, MoistureFactors) {
+  // CL: exp(10.998 - 1.848 ln w) psi: 197.5 at 22 %, 83.75 at 35 %; at 12 % above 300.
+  EXPECT_NEAR(MoistureFactor(UscsClass::kCL, MoistureState::kWet), 83.75 / 197.5, 1e-4);
+  EXPECT_NEAR(MoistureFactor(UscsClass::kCL, MoistureState::kDry), 300 / 197.5, 1e-4);
+  EXPECT_EQ(MoistureFactor(UscsClass::kCL, MoistureState::kMoist), 1);
+  // CH holds 10 % more: (45/32)^-2.583.
+  EXPECT_NEAR(MoistureFactor(UscsClass::kCH, MoistureState::kWet), 0.41446, 1e-4);
+  // Clean sand is above 300 psi at all of them.
+  EXPECT_EQ(MoistureFactor(UscsClass::kSP, MoistureState::kWet), 1);
+  EXPECT_EQ(MoistureStateOf("wet"), MoistureState::kWet);
+  EXPECT_EQ(MoistureStateOf("soaked"), std::nullopt);
+  EXPECT_EQ(UscsName(UscsClass::kSMSC), "SM-SC");
+}
+
 TEST(MovementSpeed, WorkedExample) {
   MovementFactors factors;
   factors.slope = 0.15;

@@ -95,6 +95,16 @@ TEST_F(LoadMaterialsTest, TakesTheUnknownMaterialWhereThereIsNoKnownClass) {
   EXPECT_THAT(Message(), HasSubstr("nearest is 'tilled-soil'"));
 }
 
+TEST_F(LoadMaterialsTest, TakesTheStateOfTheSoils) {
+  const double moist = LoadTerrain(files_)->Soil(0, 0).cone_index;  // firm-soil everywhere
+  EXPECT_DOUBLE_EQ(moist, 1800e3);
+  files_.moisture = MoistureState::kWet;
+  EXPECT_NEAR(LoadTerrain(files_)->Soil(0, 0).cone_index, 0.42403 * moist, 100);
+  files_.material_table = "nlcd";
+  files_.materials = Square("\"class\": 41");
+  EXPECT_THAT(Message(), HasSubstr("moisture changes nothing"));
+}
+
 TEST_F(LoadMaterialsTest, NamesEveryClassThatTheTableLacks) {
   TestRaster classes;
   classes.type = GDT_Byte;

@@ -106,6 +106,36 @@ TEST_F(MaterialTableFile, RefusesWhatIsWrong) {
   EXPECT_THAT(Message("{"), HasSubstr("not valid JSON"));
 }
 
+TEST(MaterialTable, IsWeakerWhenWetAndStrongerWhenDry) {
+  const MaterialTable table = MaterialTable::Load("basic");
+  const auto kilopascals = [&](MoistureState state, const char* name) {
+    return table.InState(state).GetName(name).soil.cone_index / 1e3;
+  };
+  EXPECT_NEAR(kilopascals(MoistureState::kWet, "soft-soil"), 450 * 0.42403, 0.1);
+  EXPECT_NEAR(kilopascals(MoistureState::kDry, "very-soft-soil"), 250 * 1.5190, 0.1);
+  EXPECT_DOUBLE_EQ(kilopascals(MoistureState::kMoist, "soft-soil"), 450);
+  EXPECT_NEAR(kilopascals(MoistureState::kDry, "firm-soil"), 2068.4, 0.1);  // 300 psi
+  EXPECT_DOUBLE_EQ(kilopascals(MoistureState::kWet, "paved"), 10000);
+}
+
+TEST(MaterialTable, SaysWhenMoistureChangesNothing) {
+  const MaterialTable table = MaterialTable::Load("nlcd");
+  EXPECT_THAT(ErrorOf([&] { table.InState(MoistureState::kWet); }),
+              HasSubstr("no material of the table 'nlcd' has a soil class"));
+}
+
+TEST_F(MaterialTableFile, ReadsTheSoilClass) {
+  const MaterialTable table = MaterialTable::Load(
+      directory_.Write("mine.json", R"({"schema": "dbd.materials/1", "materials": [
+        {"code": 7, "name": "loam", "cone_index_kpa": 700, "uscs": "CL-ML"}]})"));
+  EXPECT_EQ(table.GetName("loam").uscs, UscsClass::kCLML);
+  EXPECT_THAT(Message(R"({"code": 1, "name": "a", "cone_index_kpa": 5, "uscs": "XY"})"),
+              HasSubstr("materials[0].uscs: is \"XY\", must be SW,"));
+  EXPECT_THAT(Message(R"({"code": 1, "name": "a", "cone_index_kpa": 5, "uscs": "CL", "plate": {
+        "n": 1.1, "kc_kn": 1, "kphi_kn": 1500, "cohesion_kpa": 1, "friction_angle_deg": 28}})"),
+              HasSubstr("materials[0].uscs: cannot be with \"plate\""));
+}
+
 TEST(MaterialTable, PlateConstantsGiveTheConeIndex) {
   const MaterialTable table = MaterialTable::Load("plate-sinkage");
   const Material& sand = table.GetName("lete-sand");

@@ -95,6 +95,9 @@ TEST(ContentKey, ChangesWithOptionsAndWithTheFile) {
   other.crs = "EPSG:32633";
   EXPECT_NE(ContentKey(other), before);
   other = Named(path);
+  other.moisture = MoistureState::kMoist;
+  EXPECT_NE(ContentKey(other), before);
+  other = Named(path);
   other.places = {{1, 2}};
   EXPECT_EQ(ContentKey(other), before);
   std::ofstream(path) << "longer";

@@ -82,6 +82,7 @@ double NrmmResistanceRatio(const NrmmCurve& curve, double excess);
 enum class UscsClass { kSW, kSP, kSM, kSC, kSMSC, kML, kCLML, kCL, kOL, kCH, kMH, kOH };
 /// "CL-ML" -> kCLML; none for a name that is not in the list.
 std::optional<UscsClass> UscsClassOf(const std::string& name);
+std::string UscsName(UscsClass soil);
 
 struct SoilStrength {
   double cone_index = 0;
@@ -95,6 +96,15 @@ SoilStrength FittedSoilStrength(UscsClass soil, double moisture);
 /// The same kept to where the fits make sense: 1 to 300 psi, and RCI not above CI except in clean
 /// sand.
 SoilStrength SoilStrengthAt(UscsClass soil, double moisture);
+
+/// How wet a soil is: 12, 22 and 35 % of its dry weight; 10 % more in CH, MH and OH, which hold
+/// more water. The percentages are a choice inside the range of the fits.
+enum class MoistureState { kDry, kMoist, kWet };
+/// "wet" -> kWet; none for any other name.
+std::optional<MoistureState> MoistureStateOf(const std::string& name);
+
+/// Cone index in a state over that of the same soil when moist, both by `SoilStrengthAt`.
+double MoistureFactor(UscsClass soil, MoistureState state);
 
 /// Cross-country speed of a movement map after FM 5-33: off-road slope limits the speed, and
 /// contour crossings, vegetation, soil and roughness each take a share.

@@ -88,7 +88,8 @@ class TrafficabilityLayer {
   ///
   /// With u the largest used share of a limit (roll, pitch, slope, traction, sinkage), the speed
   /// is max_speed (1 - 0.8 u) / (1 + roughness / roughness_scale), and the risk is
-  /// risk_cost (u / (1.15 - u))^2, at most 100 risk_cost. Beside an obstacle u is at least 0.6.
+  /// risk_cost (u / (1.15 - u))^2, at most 100 risk_cost. Beside an obstacle u is at least 0.6, and
+  /// 0.9 with less than 0.5 m of room on top of the margin.
   double SecondsPerMetre(double x, double y, double heading) const;
 
   /// The same layer with another cost on top; it shares the cells.
@@ -149,7 +150,8 @@ class TrafficabilityLayer {
   NoGoReason Judge(const Cell& cell, double x, double y, double cos_h, double sin_h) const;
   double UsedShare(const Cell& cell, double grade, double side_slope) const;
   bool BellyTouches(double x, double y, double cos_h, double sin_h) const;
-  bool HitsObstacle(double x, double y, double cos_h, double sin_h) const;
+  bool HitsObstacle(double x, double y, double cos_h, double sin_h, double margin) const;
+  double UsedBesideObstacles(double x, double y, double cos_h, double sin_h) const;
   bool WheelIsOnImpassable(double x, double y, double cos_h, double sin_h) const;
 
   const Terrain* terrain_;

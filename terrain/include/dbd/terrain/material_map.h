@@ -1,11 +1,13 @@
 #pragma once
 
 #include <dbd/core/ground.h>
+#include <dbd/core/soil_strength.h>
 #include <dbd/terrain/height_map.h>
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,7 @@ struct Material {
   SoilSample soil;
   double cone_index_spread = 0.2;  ///< coefficient of variation [-]
   bool passable = true;            ///< false: never driven on (water, buildings)
+  std::optional<UscsClass> uscs;   ///< its strength follows the moisture as this soil's does
   std::string source;              ///< where the numbers come from, or "assumed"
 };
 
@@ -33,6 +36,8 @@ struct Material {
 ///
 ///     "plate": {"n": 1.1, "kc_kn": 0.99, "kphi_kn": 1528.43, "cohesion_kpa": 1.04,
 ///               "friction_angle_deg": 28, "shear_deformation": 0.02}
+///
+/// "uscs" is the soil's class, for `InState`: "CL".
 ///
 /// (kc in kN/m^(n+1), kphi in kN/m^(n+2), shear_deformation in m). With them the cone index may be
 /// left out: it then follows from `MeanConeIndexFromBekker`.
@@ -53,6 +58,11 @@ class MaterialTable {
   const Material* FindName(const std::string& name) const;
   /// Throws InputError that names the nearest material.
   const Material& GetName(const std::string& name) const;
+
+  /// The table as it is when the soils are dry or wet; its own numbers are those of moist soils.
+  /// Cone indices of materials with a class are multiplied with `MoistureFactor`, up to the 300 psi
+  /// that the relation knows or the table's own number. Throws InputError when none has a class.
+  MaterialTable InState(MoistureState state) const;
 
  private:
   std::string name_;

@@ -39,13 +39,14 @@ struct TerrainFiles {
   double memory_limit = 4.0 * 1024 * 1024 * 1024;
   std::vector<Eigen::Vector2d> places;        ///< in the elevation's own coordinates
   std::vector<Eigen::Vector2d> wgs84_places;  ///< longitude and latitude [deg]
-  std::string materials;             ///< class raster of integers, or polygons that OGR reads
-  int materials_band = 0;            ///< counted from 1; 0: the only one
-  std::string material_field;        ///< polygons' attribute: class number or material name; empty:
-                                     ///< the one called class, code, material or name
-  std::string material_table;        ///< JSON file, or the name of a table that is built in
-  std::string obstacles;             ///< OctoMap .bt or .ot
-  MapPlacement obstacles_placement;  ///< of its x = y = 0
+  std::string materials;       ///< class raster of integers, or polygons that OGR reads
+  int materials_band = 0;      ///< counted from 1; 0: the only one
+  std::string material_field;  ///< polygons' attribute: class number or material name; empty:
+                               ///< the one called class, code, material or name
+  std::string material_table;  ///< JSON file, or the name of a table that is built in
+  std::optional<MoistureState> moisture;  ///< of the soils; none: as the table states them
+  std::string obstacles;                  ///< OctoMap .bt or .ot
+  MapPlacement obstacles_placement;       ///< of its x = y = 0
   UnknownSpace unknown_space = UnknownSpace::kFree;
   /// Heights of what stands on the ground (surface model), any raster; what rises more than
   /// `surface_threshold` [m] above `elevation` is an obstacle, beside those of `obstacles`.
