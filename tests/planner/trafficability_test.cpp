@@ -2,6 +2,7 @@
 #include <dbd/planner/trafficability.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "candidate_test_terrain.h"
@@ -142,6 +143,24 @@ TEST(Trafficability, ObstaclesAreMetByTheOrientedBox) {
   EXPECT_EQ(ReasonAtMiddle(layer, 10, 3.75, kEast), NoGoReason::kNone);
   EXPECT_EQ(ReasonAtMiddle(layer, 10, 3.75, kNorth), NoGoReason::kObstacle);
   EXPECT_EQ(ReasonAtMiddle(layer, 10, 2.5, kEast), NoGoReason::kObstacle);
+}
+
+TEST(Trafficability, ElbowRoomBesideObstaclesIsCheaper) {
+  const std::string open(40, '.');
+  const std::string wall(40, '#');
+  const Terrain terrain = DrawnTerrain({open, open, wall, open, open, open, open, open, open, open,
+                                        open, open, wall, open, open, open},
+                                       0.5);
+  // Walls at y = 1.5 and 6.5: free between 1.75 and 6.25 m.
+  const auto vehicle = TestVehicle();
+  const TrafficabilityLayer layer(terrain, *vehicle, 8.0);
+  const double middle = layer.SecondsPerMetre(10, 4, kEast);
+  const double nearest = 1.75 + vehicle->outline.half_width + 0.2;  // to a wall: the margin is left
+  for (const double y : {nearest + 0.1, 8 - nearest - 0.1}) {
+    const double tight = layer.SecondsPerMetre(10, y, kEast);
+    EXPECT_TRUE(std::isfinite(tight)) << y;
+    EXPECT_GT(tight, 1.5 * middle) << y;
+  }
 }
 
 TEST(Trafficability, LargeMapsGetCoarserCells) {
