@@ -63,7 +63,26 @@ std::vector<Eigen::Vector2d> CellFlood::WayTo(const Eigen::Vector2d& place) cons
   return way;
 }
 
+std::vector<std::uint8_t> CellFlood::DryRegionOf(const Eigen::Vector2d& place) const {
+  std::vector<std::uint8_t> region(reached_by_.size(), 0);
+  const CellIndex first = IndexOf(place);
+  if (!Inside(first)) return region;
+  region[Slot(first)] = 1;
+  std::vector<CellIndex> queue{first};
+  for (std::size_t next = 0; next < queue.size(); ++next) {
+    ThrowIfStopped(stop_);
+    for (int move = 0; move < kMoves; ++move) {
+      const CellIndex to = Neighbour(queue[next], move);
+      if (!Inside(to) || region[Slot(to)] || reached_by_[Slot(to)] != kDry) continue;
+      region[Slot(to)] = 1;
+      queue.push_back(to);
+    }
+  }
+  return region;
+}
+
 CellFlood::Barrier CellFlood::BarrierTowards(const Eigen::Vector2d& other) const {
+  const std::vector<std::uint8_t> beyond = DryRegionOf(other);
   const std::vector<Eigen::Vector2d> line{origin_, other};
   std::array<double, kNoGoReasonCount> weights{};
   std::array<double, kNoGoReasonCount> nearest;
@@ -77,7 +96,8 @@ CellFlood::Barrier CellFlood::BarrierTowards(const Eigen::Vector2d& other) const
       if (reached_by_[Slot(cell)] == kDry) continue;
       for (int move = 0; move < kMoves; ++move) {
         const CellIndex to = Neighbour(cell, move);
-        if (Inside(to) && reached_by_[Slot(to)] != kDry) continue;
+        // A tree in the midst of flooded cells encloses nothing.
+        if (Inside(to) && !beyond[Slot(to)]) continue;
         const auto reason = static_cast<std::size_t>(JudgeMove(to, move));
         const double distance = DistanceToPolyline(Center(to), line);
         weights[reason] += 1.0 / ((1.0 + distance) * (1.0 + distance));

@@ -52,6 +52,21 @@ TEST(CellFlood, BarrierIsTheWaterOnTheStraightLine) {
   EXPECT_NEAR(barrier.where.y(), 17, 1.0);
 }
 
+TEST(CellFlood, TreesOnTheLineAreNoBarrier) {
+  // A brook of one cell from west to east; trees on the way to it.
+  std::vector<std::string> rows(20, std::string(20, '.'));
+  rows[4] = std::string(20, '~');
+  rows[9][9] = rows[12][9] = rows[12][10] = rows[14][9] = '#';
+  const Terrain terrain = DrawnTerrain(rows, 2.0);
+  const auto vehicle = TestVehicle();
+  const TrafficabilityLayer layer(terrain, *vehicle, 8.0);
+  const CellFlood south(layer, {19, 3}, FloodDirection::kTo);
+  ASSERT_FALSE(south.Reaches({19, 35}));
+  const CellFlood::Barrier barrier = south.BarrierTowards({19, 35});
+  EXPECT_EQ(barrier.reason, NoGoReason::kImpassableMaterial);
+  EXPECT_NEAR(barrier.where.y(), 30, 4.0);
+}
+
 TEST(CellFlood, KnowsThatASteepBankIsOneWay) {
   // Mud-soft ground rising 25 deg to the east: down to the west only.
   const double grade = std::tan(25 * 3.14159265 / 180);

@@ -29,9 +29,10 @@ class CellFlood {
   /// Cell centres from the origin to a place that is reached, with the fewest moves.
   std::vector<Eigen::Vector2d> WayTo(const Eigen::Vector2d& place) const;
 
-  /// What encloses the flooded cells on the side towards another place: the reason that bounds
-  /// them most, cells counting 1 / (1 + d / 1 m)^2 with their distance d from the straight line
-  /// to it, and the cell with that reason nearest to the line.
+  /// What encloses the flooded cells on the side towards another place, which they do not reach:
+  /// the reason that most parts them from the dry cells around it, cells counting 1 / (1 + d / 1
+  /// m)^2 with their distance d from the straight line to it, and the cell with that reason nearest
+  /// to the line.
   struct Barrier {
     NoGoReason reason = NoGoReason::kNone;
     Eigen::Vector2d where = Eigen::Vector2d::Zero();
@@ -52,6 +53,8 @@ class CellFlood {
   bool Inside(const CellIndex& cell) const;
   std::size_t Slot(const CellIndex& cell) const;
   NoGoReason JudgeMove(const CellIndex& to, int move) const;
+  /// 1 for the dry cells that touch each other from this place on.
+  std::vector<std::uint8_t> DryRegionOf(const Eigen::Vector2d& place) const;
 
   const TrafficabilityLayer& layer_;
   Eigen::Vector2d origin_;
