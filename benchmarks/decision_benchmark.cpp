@@ -133,7 +133,7 @@ class Judge {
     judged.reached = rollout.outcome == Outcome::kReached;
     const Rollout again =
         DrivePath(drawn_, exact_, candidate.path, candidate.path.Position(0),
-                  candidate.path.Heading(0), DriveOptionsFor(candidate, options_));
+                  candidate.path.VehicleHeading(0), DriveOptionsFor(candidate, options_));
     judged.holds = again.outcome == Outcome::kReached;
   }
 

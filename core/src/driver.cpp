@@ -10,6 +10,7 @@ namespace {
 constexpr double kCurvatureWindow = 1.5;  // [m] to each side
 constexpr double kFarAhead = 1e4;         // [m] length of the line driven when there is no path
 constexpr double kStandstill = 0.05;      // [m/s]
+constexpr double kAtEnd = 0.1;            // [m] from the end of a stretch, to stop there
 
 /// The steered axle farthest from the fixed line: the mean steer angle is its angle.
 const AxleModel& LeadingAxle(const VehicleModel& vehicle) {
@@ -74,6 +75,14 @@ void Driver::BuildSpeedProfile() {
     const double curve = std::sqrt(options_.curve_acceleration / std::max(curvature, 1e-6));
     speed_profile_[static_cast<std::size_t>(i)] = std::min(options_.target_speed, curve);
   }
+  for (const PathStretch& stretch : path_.stretches()) {
+    if (!stretch.reverse) continue;
+    for (int i = static_cast<int>(stretch.begin / kSpeedLimitSpacing);
+         i < count && i * kSpeedLimitSpacing < stretch.end; ++i) {
+      double& limit = speed_profile_[static_cast<std::size_t>(i)];
+      limit = std::min(limit, kReverseSpeed);
+    }
+  }
   const std::size_t given = std::min(options_.speed_limits.size(), speed_profile_.size());
   for (std::size_t i = 0; i < given; ++i) {
     speed_profile_[i] = std::min(speed_profile_[i], options_.speed_limits[i]);
@@ -93,24 +102,47 @@ double Driver::SpeedLimit(double s) const {
   return speed_profile_[static_cast<std::size_t>(index)];
 }
 
-double Driver::TargetSpeed(const DriverView& view, double dt, DriverState& state) const {
-  const double allowed =
-      std::min(SpeedLimit(state.arc_length + 0.3 * view.speed), view.speed_limit);
-  const double limit =
-      CarefulSpeed(options_.care, vehicle_.limits, view.going, allowed, dt, state.care);
-  if (!options_.stop_at_end) return limit;
-  const double left = path_.length() - state.arc_length;
-  return left <= 0.1 ? 0.0 : std::min(limit, std::sqrt(2 * options_.deceleration * left));
+const PathStretch& Driver::Stretch(const DriverState& state) const {
+  return path_.stretches()[state.stretch];
 }
 
-/// Pure pursuit: the arc through the lookahead point, curvature 2 y / d^2.
+bool Driver::OnLastStretch(const DriverState& state) const {
+  return state.stretch + 1 == path_.stretches().size();
+}
+
+/// Standing at the end of a stretch, goes on with the next.
+void Driver::ChangeDirection(const DriverView& view, DriverState& state) const {
+  const bool stands = state.target_speed <= 0 && std::abs(view.speed) < kStandstill;
+  if (OnLastStretch(state) || !stands) return;
+  if (Stretch(state).end - state.arc_length > kAtEnd) return;
+  ++state.stretch;
+  state.arc_length = Stretch(state).begin;
+}
+
+double Driver::TargetSpeed(const DriverView& view, double dt, DriverState& state) const {
+  const PathStretch& stretch = Stretch(state);
+  const double direction = stretch.reverse ? -1 : 1;
+  const double ahead = std::min(state.arc_length + 0.3 * direction * view.speed, stretch.end);
+  const double allowed = std::min(SpeedLimit(ahead), view.speed_limit);
+  GoingView going = view.going;
+  going.climb *= direction;
+  const double limit = CarefulSpeed(options_.care, vehicle_.limits, going, allowed, dt, state.care);
+  if (OnLastStretch(state) && !options_.stop_at_end) return limit;
+  const double left = stretch.end - state.arc_length;
+  return left <= kAtEnd ? 0.0 : std::min(limit, std::sqrt(2 * options_.deceleration * left));
+}
+
+/// Pure pursuit: the arc through the lookahead point, curvature 2 y / d^2. In reverse that point
+/// lies behind, and the same arc leads there.
 double Driver::Steer(const DriverView& view, DriverState& state) const {
-  const double window = 2.0 + 2 * std::abs(view.speed);
-  state.arc_length =
-      path_.NearestArcLength(view.position, state.arc_length, state.arc_length + window);
+  const PathStretch& stretch = Stretch(state);
+  const double speed = stretch.reverse ? -view.speed : view.speed;
+  const double window = 2.0 + 2 * std::abs(speed);
+  state.arc_length = path_.NearestArcLength(view.position, state.arc_length,
+                                            std::min(state.arc_length + window, stretch.end));
   const double lookahead =
-      options_.least_lookahead + options_.lookahead_time * std::max(0.0, view.speed);
-  const Eigen::Vector2d d = path_.Position(state.arc_length + lookahead) - view.position;
+      options_.least_lookahead + options_.lookahead_time * std::max(0.0, speed);
+  const Eigen::Vector2d d = path_.PositionOn(stretch, state.arc_length + lookahead) - view.position;
   const double lateral = -std::sin(view.heading) * d.x() + std::cos(view.heading) * d.y();
   const double curvature = 2 * lateral / std::max(d.squaredNorm(), 1e-3);
   return std::clamp(std::atan(curvature * wheelbase_), -max_steer_, max_steer_);
@@ -118,16 +150,18 @@ double Driver::Steer(const DriverView& view, DriverState& state) const {
 
 DriverCommand Driver::Update(const DriverView& view, double dt, DriverState& state) const {
   DriverCommand command;
+  ChangeDirection(view, state);
   command.steer = Steer(view, state);
+  command.reverse = Stretch(state).reverse;
   state.target_speed = TargetSpeed(view, dt, state);
-  const double error = state.target_speed - view.speed;
+  const double error = state.target_speed - (command.reverse ? -view.speed : view.speed);
   const double gain = options_.speed_gain * torque_per_acceleration_;
   const double integral_gain = options_.integral_gain * torque_per_acceleration_;
   state.integral = std::clamp(state.integral + integral_gain * error * dt, -10 * gain, 10 * gain);
   if (state.target_speed <= 0) {
     state.integral = 0;
     command.brake = 1;
-    state.arrived = std::abs(view.speed) < kStandstill;
+    state.arrived = OnLastStretch(state) && std::abs(view.speed) < kStandstill;
     return command;
   }
   command.engine_torque = gain * error + state.integral;

@@ -9,8 +9,9 @@
 
 namespace dbd {
 
-Path::Path(const std::vector<Eigen::Vector2d>& points) {
-  for (const Eigen::Vector2d& p : points) {
+Path::Path(const std::vector<Eigen::Vector2d>& points, const std::vector<bool>& reverse) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector2d& p = points[i];
     if (!p.allFinite()) throw InputError("path: a point has a coordinate that is not a number");
     if (points_.empty()) {
       points_.push_back(p);
@@ -21,8 +22,30 @@ Path::Path(const std::vector<Eigen::Vector2d>& points) {
     if (step < 1e-6) continue;
     points_.push_back(p);
     arc_lengths_.push_back(arc_lengths_.back() + step);
+    AddStretch(arc_lengths_.end()[-2], arc_lengths_.back(), i < reverse.size() && reverse[i]);
   }
   if (points_.size() < 2) throw InputError("path: needs at least two distinct points");
+}
+
+void Path::AddStretch(double begin, double end, bool reverse) {
+  if (stretches_.empty() || stretches_.back().reverse != reverse) {
+    stretches_.push_back({begin, end, reverse});
+  }
+  stretches_.back().end = end;
+}
+
+const PathStretch& Path::StretchAt(double s) const {
+  std::size_t i = 0;
+  while (i + 1 < stretches_.size() && s >= stretches_[i].end) ++i;
+  return stretches_[i];
+}
+
+double Path::reverse_length() const {
+  double length = 0;
+  for (const PathStretch& stretch : stretches_) {
+    if (stretch.reverse) length += stretch.end - stretch.begin;
+  }
+  return length;
 }
 
 std::size_t Path::SegmentAt(double s) const {
@@ -38,17 +61,32 @@ Eigen::Vector2d Path::Position(double s) const {
   return points_[i] + t * (points_[i + 1] - points_[i]);
 }
 
+Eigen::Vector2d Path::PositionOn(const PathStretch& stretch, double s) const {
+  if (s <= stretch.end || stretch.end >= length()) return Position(s);
+  const std::size_t i = SegmentAt(stretch.end) - 1;  // the stretch's last
+  const Eigen::Vector2d ahead = (points_[i + 1] - points_[i]).normalized();
+  return points_[i + 1] + (s - stretch.end) * ahead;
+}
+
 double Path::Heading(double s) const {
   const std::size_t i = SegmentAt(s);
   const Eigen::Vector2d d = points_[i + 1] - points_[i];
   return std::atan2(d.y(), d.x());
 }
 
+double Path::VehicleHeading(double s) const {
+  if (!StretchAt(s).reverse) return Heading(s);
+  return std::remainder(Heading(s) + std::numbers::pi, 2 * std::numbers::pi);
+}
+
 double Path::Curvature(double s, double half_window) const {
-  const double a = std::max(0.0, s - half_window);
-  const double b = std::min(length(), s + half_window);
+  const PathStretch& stretch = StretchAt(s);
+  const double a = std::max(stretch.begin, s - half_window);
+  const double b = std::min(stretch.end, s + half_window);
   if (b - a < 1e-6) return 0;
-  const double turn = std::remainder(Heading(b) - Heading(a), 2 * std::numbers::pi);
+  // At the end of a stretch that is not the last, the heading there is already that of the next.
+  const double before_end = b < length() ? std::min(b, std::nextafter(stretch.end, a)) : b;
+  const double turn = std::remainder(Heading(before_end) - Heading(a), 2 * std::numbers::pi);
   return turn / (b - a);
 }
 

@@ -12,10 +12,15 @@ double TotalRatio(const PowertrainModel& powertrain, int gear) {
          powertrain.final_ratio;
 }
 
+double RatioInUse(const PowertrainModel& powertrain, const PowertrainState& state) {
+  if (!state.reverse) return TotalRatio(powertrain, state.gear);
+  return -powertrain.reverse_ratio * powertrain.transfer_ratio * powertrain.final_ratio;
+}
+
 /// Gear 0 is the lowest: ratios fall. Shifts are `shift_interval` apart, so that the choice does
 /// not hunt.
 void ChooseGear(const PowertrainModel& powertrain, double wheel_speed, PowertrainState& state) {
-  if (state.time_in_gear < powertrain.shift_interval) return;
+  if (state.reverse || state.time_in_gear < powertrain.shift_interval) return;
   const double speed = wheel_speed * TotalRatio(powertrain, state.gear);
   const int last = static_cast<int>(powertrain.gear_ratios.size()) - 1;
   const int wish = speed > powertrain.upshift_speed     ? state.gear + 1
@@ -52,11 +57,18 @@ double FullThrottleTorque(const PowertrainModel& powertrain, double engine_speed
   return std::max(0.0, (a * w + b) * w + c);
 }
 
+void SelectDirection(bool reverse, PowertrainState& state) {
+  if (state.reverse == reverse) return;
+  state.reverse = reverse;
+  state.gear = 0;
+  state.time_in_gear = 0;
+}
+
 double UpdatePowertrain(const PowertrainModel& powertrain, double asked_torque, double wheel_speed,
                         double dt, PowertrainState& state) {
   ChooseGear(powertrain, wheel_speed, state);
   state.time_in_gear += dt;
-  const double ratio = TotalRatio(powertrain, state.gear);
+  const double ratio = RatioInUse(powertrain, state);  // negative in reverse
   const double shaft_speed = wheel_speed * ratio;
   state.engine_speed = std::clamp(shaft_speed, powertrain.min_speed, powertrain.max_speed);
   // A slipping clutch passes drive but no engine braking, which would turn the wheels backwards.

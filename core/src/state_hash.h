@@ -20,6 +20,7 @@ class StateHasher {
   }
   void Add(const PowertrainState& powertrain) {  // member by member: it has padding
     Add(powertrain.gear);
+    Add(powertrain.reverse);
     Add(powertrain.time_in_gear);
     Add(powertrain.engine_torque);
   }

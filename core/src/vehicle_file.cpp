@@ -45,6 +45,9 @@ PowertrainModel ReadPowertrain(const JsonObject& object) {
     if (ratio <= 0) object.Fail("gear_ratios", "must all be greater than 0");
   }
   if (powertrain.gear_ratios.empty()) object.Fail("gear_ratios", "needs at least one gear");
+  // Reverse gears are about as low as the lowest forward gear.
+  powertrain.reverse_ratio =
+      object.Number("reverse_gear_ratio", 1e-3, 1000, powertrain.gear_ratios.front());
   if (object.Has("transfer_ratios")) {
     ReadRanges(object, powertrain);
   } else {

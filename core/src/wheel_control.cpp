@@ -30,6 +30,7 @@ void SetDriveTorques(const VehicleModel& vehicle, const DriverCommand& command,
     ++count;
   }
   if (count == 0) return;
+  SelectDirection(command.reverse, powertrain);
   const double torque =
       UpdatePowertrain(vehicle.powertrain, command.engine_torque, sum / count, dt, powertrain);
   for (std::size_t i = 0; i < vehicle.wheels.size(); ++i) {

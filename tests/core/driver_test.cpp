@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 #include "support/core_vehicle.h"
@@ -153,12 +154,102 @@ TEST(Driver, ThrottleIntegratesAwayASteadyError) {
   driver.SetStart({0, 0}, 0);
   DriverState state;
   const double first = driver.Update({{0, 0}, 0, 4.8}, 4e-3, state).engine_torque;
-  // 750 kg on 0.32443 m driven through 3 * 6.429: 12.616 N m of the engine for 1 m/s^2, so 60.05 N m
-  // per m/s and 30.03 N m per m.
+  // 750 kg on 0.32443 m driven through 3 * 6.429: 12.616 N m of the engine for 1 m/s^2, so 60.05 N
+  // m per m/s and 30.03 N m per m.
   EXPECT_NEAR(first, 60.05 * 0.2 + 30.03 * 0.2 * 4e-3, 2e-3);
   double last = first;
   for (int i = 0; i < 100; ++i) last = driver.Update({{0, 0}, 0, 4.8}, 4e-3, state).engine_torque;
   EXPECT_NEAR(last, 60.05 * 0.2 + 30.03 * 0.2 * 4e-3 * 101, 2e-3);
+}
+
+/// Moves exactly as the kinematic model says, with the speed that the driver aims for as soon as
+/// 2 m/s^2 allow.
+class KinematicVehicle {
+ public:
+  explicit KinematicVehicle(const Path& path) : path_(path), driver_(Tm27(), path, {}) {}
+
+  void Drive(double seconds) {
+    constexpr double kDt = 4e-3;
+    for (double time = 0; time < seconds && !state.arrived; time += kDt) {
+      const DriverCommand command = driver_.Update(view, kDt, state);
+      const double wanted = (command.reverse ? -1 : 1) * state.target_speed;
+      view.speed += std::clamp(wanted - view.speed, -2 * kDt, 2 * kDt);
+      view.heading += kDt * view.speed * std::tan(command.steer) / Tm27().wheelbase();
+      view.position +=
+          kDt * view.speed * Eigen::Vector2d(std::cos(view.heading), std::sin(view.heading));
+      fastest_back = std::min(fastest_back, view.speed);
+      const double s = path_.NearestArcLength(view.position, 0, path_.length());
+      farthest_off = std::max(farthest_off, (path_.Position(s) - view.position).norm());
+    }
+  }
+
+  DriverView view;
+  DriverState state;
+  double fastest_back = 0;
+  double farthest_off = 0;
+
+ private:
+  const Path& path_;
+  Driver driver_;
+};
+
+TEST(Driver, TurnsRoundInThreeStretches) {
+  // Arcs of 60 degrees with radius 6 m: left forward, on in reverse, left forward.
+  Points points;
+  std::vector<bool> reverse;
+  Eigen::Vector2d place(0, 0);
+  double heading = 0;
+  for (int stretch = 0; stretch < 3; ++stretch) {
+    const double way = stretch == 1 ? -0.1 : 0.1;
+    for (int i = 0; i < 63; ++i) {
+      points.push_back(place);
+      reverse.push_back(stretch == 1);
+      heading += 0.1 / 6;
+      place += way * Eigen::Vector2d(std::cos(heading), std::sin(heading));
+    }
+  }
+  // Each point belongs to the stretch that leads to it.
+  reverse.insert(reverse.begin(), false);
+  reverse.pop_back();
+  const Path path(points, reverse);
+  ASSERT_EQ(path.stretches().size(), 3u);
+  KinematicVehicle vehicle(path);
+  vehicle.Drive(60);
+  EXPECT_TRUE(vehicle.state.arrived);
+  EXPECT_EQ(vehicle.state.stretch, 2u);
+  EXPECT_NEAR(vehicle.view.heading, std::numbers::pi, 0.15);
+  EXPECT_LT((vehicle.view.position - points.back()).norm(), 0.25);
+  EXPECT_LT(vehicle.farthest_off, 0.2);
+  EXPECT_LT(vehicle.fastest_back, -1.0);
+  EXPECT_GE(vehicle.fastest_back, -kReverseSpeed);
+}
+
+TEST(Driver, BacksAlongACircleAsItDrivesAlongIt) {
+  Points points = Arc(10, 2);
+  for (Eigen::Vector2d& p : points) p.x() = -p.x();  // to the rear, still curving to the left
+  const Path path(points, std::vector<bool>(points.size(), true));
+  EXPECT_NEAR(path.VehicleHeading(0), 0, 0.01);
+  KinematicVehicle vehicle(path);
+  vehicle.Drive(60);
+  EXPECT_TRUE(vehicle.state.arrived);
+  EXPECT_NEAR(vehicle.view.heading, -2, 0.1);
+  EXPECT_LT(vehicle.farthest_off, 0.1);  // of which the turn-in
+}
+
+TEST(Driver, StandsBeforeItChangesDirection) {
+  const Path path(Points{{0, 0}, {10, 0}, {4, 0}}, {false, false, true});
+  const Driver driver(Tm27(), path, {});
+  DriverState state{.arc_length = 9.95};
+  DriverCommand command = driver.Update({{9.96, 0}, 0, 0.4}, 4e-3, state);
+  EXPECT_EQ(command.brake, 1);
+  EXPECT_FALSE(command.reverse);
+  EXPECT_FALSE(state.arrived);
+  driver.Update({{9.97, 0}, 0, 0.01}, 4e-3, state);  // asks for nothing yet
+  EXPECT_FALSE(state.arrived);
+  command = driver.Update({{9.97, 0}, 0, 0.01}, 4e-3, state);
+  EXPECT_TRUE(command.reverse);
+  EXPECT_GT(command.engine_torque, 0);
+  EXPECT_EQ(command.brake, 0);
 }
 
 }  // namespace

@@ -101,5 +101,44 @@ TEST(Path, RefusesTooFewPointsAndBadNumbers) {
             "path: a point has a coordinate that is not a number");
 }
 
+/// 6 m east, then 4 m back in reverse, then 3 m north.
+Path ForwardBackForward() {
+  return Path(Points{{0, 0}, {6, 0}, {4, 0}, {2, 0}, {2, 3}}, {false, false, true, true, false});
+}
+
+TEST(Path, StretchesEndWhereTheDirectionChanges) {
+  const Path path = ForwardBackForward();
+  ASSERT_EQ(path.stretches().size(), 3u);
+  EXPECT_EQ(path.stretches()[0].end, 6);
+  EXPECT_EQ(path.stretches()[1].begin, 6);
+  EXPECT_EQ(path.stretches()[1].end, 10);
+  EXPECT_TRUE(path.stretches()[1].reverse);
+  EXPECT_FALSE(path.stretches()[2].reverse);
+  EXPECT_EQ(path.length(), 13);
+  EXPECT_EQ(path.reverse_length(), 4);
+  ASSERT_EQ(Corner().stretches().size(), 1u);
+  EXPECT_EQ(Corner().reverse_length(), 0);
+}
+
+TEST(Path, TheVehiclePointsAgainstItsTravelInReverse) {
+  const Path path = ForwardBackForward();
+  EXPECT_EQ(path.VehicleHeading(3), 0);
+  EXPECT_NEAR(std::abs(path.Heading(8)), std::numbers::pi, 1e-12);
+  EXPECT_NEAR(path.VehicleHeading(8), 0, 1e-12);
+  EXPECT_NEAR(path.VehicleHeading(12), std::numbers::pi / 2, 1e-12);
+}
+
+TEST(Path, AStretchGoesOnStraightBeyondItsEnd) {
+  const Path path = ForwardBackForward();
+  EXPECT_LT((path.PositionOn(path.stretches()[0], 8) - Eigen::Vector2d(8, 0)).norm(), 1e-12);
+  EXPECT_LT((path.PositionOn(path.stretches()[1], 11) - Eigen::Vector2d(1, 0)).norm(), 1e-12);
+  EXPECT_LT((path.PositionOn(path.stretches()[2], 15) - Eigen::Vector2d(2, 5)).norm(), 1e-12);
+}
+
+TEST(Path, NoCurvatureIsSeenAcrossAChangeOfDirection) {
+  const Path path = ForwardBackForward();
+  for (double s = 0; s < path.length(); s += 0.25) EXPECT_EQ(path.Curvature(s, 1.5), 0) << s;
+}
+
 }  // namespace
 }  // namespace dbd

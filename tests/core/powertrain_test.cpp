@@ -111,5 +111,25 @@ TEST(Powertrain, TractionPerEngineTorqueByHand) {
   EXPECT_NEAR(TractionPerEngineTorque(Tm27()), 59.450, 0.005);
 }
 
+TEST(Powertrain, ReverseTurnsTheWheelsBackwards) {
+  PowertrainState state;
+  SelectDirection(true, state);
+  EXPECT_EQ(state.time_in_gear, 0);  // the clutch opens
+  state.time_in_gear = 1e3;
+  // Geared like first gear unless the file says otherwise: 50 * 3.0 * 6.429 = 964.35 N m.
+  const double torque = UpdatePowertrain(Tm27Powertrain(), 50, -WheelSpeed(2500, 0), 4e-3, state);
+  EXPECT_NEAR(torque, -964.35, 1e-6);
+  EXPECT_NEAR(ToRpm(state.engine_speed), 2500, 1e-6);
+  // No shifting up, and the engine brakes a vehicle that backs down too fast.
+  for (int i = 0; i < 1000; ++i) {
+    UpdatePowertrain(Tm27Powertrain(), 50, -WheelSpeed(3300, 0), 4e-3, state);
+  }
+  EXPECT_EQ(state.gear, 0);
+  EXPECT_GT(UpdatePowertrain(Tm27Powertrain(), -1e4, -WheelSpeed(2500, 0), 4e-3, state), 0);
+  SelectDirection(false, state);
+  EXPECT_FALSE(state.reverse);
+  EXPECT_EQ(state.time_in_gear, 0);
+}
+
 }  // namespace
 }  // namespace dbd

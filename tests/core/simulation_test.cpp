@@ -229,5 +229,36 @@ TEST(Simulation, FallsAndReportsNoContactInTheAir) {
   EXPECT_DOUBLE_EQ(simulation.time(), simulation.control_step());
 }
 
+TEST(Simulation, BacksAsFarAsItDrives) {
+  // Level, firm ground: 10 m ahead, back to where it began, and it stands there.
+  const auto ground = MakePlaneGround(0, 0);
+  Simulation simulation = Placed(*ground);
+  const Path path({{0, 0}, {10, 0}, {0, 0}}, {false, false, true});
+  Driver driver(Tm27(), path, {.target_speed = 4});
+  double farthest = 0, slowest = 0, slip = 0;
+  Follow(driver, simulation, 30, [&](const Simulation& s) {
+    farthest = std::max(farthest, s.ViewForDriver().position.x());
+    slowest = std::min(slowest, s.Chassis().forward_speed);
+    if (s.Chassis().forward_speed < -0.5) slip = std::min(slip, s.Wheel(0).slip);
+  });
+  EXPECT_NEAR(farthest, 10, 0.2);
+  EXPECT_NEAR(simulation.ViewForDriver().position.x(), 0, 0.2);
+  EXPECT_NEAR(simulation.ViewForDriver().position.y(), 0, 0.01);
+  EXPECT_NEAR(simulation.Chassis().forward_speed, 0, 0.05);
+  EXPECT_NEAR(slowest, -kReverseSpeed, 0.3);
+  EXPECT_LT(slip, -0.005);  // the sign of the force: the driven wheels push backwards
+}
+
+TEST(Simulation, BacksUpASlope) {
+  // 15 degrees with the nose downhill: the reverse gear has the torque of the lowest gear.
+  const auto ground = MakePlaneGround(-std::tan(Degrees(15)), 0);
+  Simulation simulation = Placed(*ground);
+  const Path path({{0, 0}, {-15, 0}}, {false, true});
+  Driver driver(Tm27(), path, {});
+  Follow(driver, simulation, 20, kNothing);
+  EXPECT_NEAR(simulation.ViewForDriver().position.x(), -15, 0.3);
+  EXPECT_GT(simulation.drive_energy(), Tm27().total_mass() * 9.81 * 15 * std::tan(Degrees(15)));
+}
+
 }  // namespace
 }  // namespace dbd

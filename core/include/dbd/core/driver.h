@@ -10,7 +10,13 @@
 namespace dbd {
 
 // The driver (paper sections 4.7, 4.8, 5.1): pure pursuit of a path with Ackermann steering, and
-// proportional speed control within the engine's limits, slower where the going is poor.
+// proportional speed control within the engine's limits, slower where the going is poor. Where a
+// path goes on in reverse, the driver stops, changes the gear and pursues it with the rear leading:
+// the point that follows the path, the middle of the fixed axles, moves by the same kinematics
+// either way.
+
+/// Most in reverse [m/s].
+inline constexpr double kReverseSpeed = 2.0;
 
 struct DriverOptions {
   double target_speed = 5.0;        ///< on open ground [m/s]
@@ -44,13 +50,15 @@ struct DriverCommand {
   double steer = 0;          ///< of the mean front wheel, left positive [rad]
   double engine_torque = 0;  ///< asked of the engine, before its limits [N m]
   double brake = 0;          ///< share of full brake torque [0, 1]
+  bool reverse = false;      ///< in the reverse gear, where torque drives backwards
 };
 
 /// Memory of the driver between control steps.
 struct DriverState {
   double arc_length = 0;    ///< of the nearest point of the path
+  std::size_t stretch = 0;  ///< of the path, being driven
   double integral = 0;      ///< of the speed error [N m]
-  double target_speed = 0;  ///< in force now
+  double target_speed = 0;  ///< in force now, of either direction
   bool arrived = false;     ///< standing at the end
   CareState care = {};
 };
@@ -69,6 +77,9 @@ class Driver {
   void SetStart(const Eigen::Vector2d& position, double heading);
 
  private:
+  const PathStretch& Stretch(const DriverState& state) const;
+  bool OnLastStretch(const DriverState& state) const;
+  void ChangeDirection(const DriverView& view, DriverState& state) const;
   double Steer(const DriverView& view, DriverState& state) const;
   double TargetSpeed(const DriverView& view, double dt, DriverState& state) const;
   void BuildSpeedProfile();

@@ -8,7 +8,8 @@ namespace dbd {
 // exponential delay, transfer case and differentials.
 
 struct PowertrainState {
-  int gear = 0;               ///< index into gear_ratios
+  int gear = 0;               ///< index into gear_ratios, when not in reverse
+  bool reverse = false;       ///< the reverse gear is engaged
   double time_in_gear = 1e3;  ///< since the last shift [s]
   double engine_speed = 0;    ///< [rad/s]
   double engine_torque = 0;   ///< delivered [N m]
@@ -18,8 +19,13 @@ struct PowertrainState {
 /// it. Below idle the clutch slips and the engine stays at its least speed.
 double FullThrottleTorque(const PowertrainModel& powertrain, double engine_speed);
 
+/// Engages the reverse gear or the lowest forward gear, when it is not that way already. The clutch
+/// opens as for any shift.
+void SelectDirection(bool reverse, PowertrainState& state);
+
 /// From the torque asked for to the torque on the sum of all driven wheels [N m]. `wheel_speed`:
-/// mean of the driven wheels [rad/s].
+/// mean of the driven wheels [rad/s]. In reverse the torque asked for turns the wheels backwards,
+/// and both wheel speed and wheel torque are negative.
 double UpdatePowertrain(const PowertrainModel& powertrain, double asked_torque, double wheel_speed,
                         double dt, PowertrainState& state);
 

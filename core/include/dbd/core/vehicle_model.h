@@ -37,7 +37,7 @@ struct LinkModel {
   double free_length = 0;
   // A tie rod follows the steering: its free length grows by s (linear + quadratic s) with s the
   // sine of the wheel's steer angle, as if body b turned about the vertical through p_BK.
-  int steered_wheel = -1;  ///< -1: not a tie rod
+  int steered_wheel = -1;                          ///< -1: not a tie rod
   Eigen::Vector3d p_BK = Eigen::Vector3d::Zero();  ///< on the steering axis, in body b
   double steer_linear = 0;
   double steer_quadratic = 0;
@@ -208,6 +208,7 @@ struct PowertrainModel {
   double max_speed = 0;
   double braking_torque = 0;  ///< at closed throttle, positive
   std::vector<double> gear_ratios;
+  double reverse_ratio = 1;   ///< of the reverse gear, positive
   double transfer_ratio = 1;  ///< in use: of the range that the vehicle file chooses
   struct Range {
     std::string name;
