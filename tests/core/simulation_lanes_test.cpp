@@ -1,9 +1,11 @@
 #include <dbd/core/error.h>
 #include <dbd/core/scenario.h>
 #include <dbd/core/simulation_lanes.h>
+#include <dbd/core/units.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 #include "support/core_vehicle.h"
 
@@ -222,6 +224,61 @@ TEST(SimulationLanes, RefusesLanesThatTheProcessorLacks) {
   }
   EXPECT_TRUE(LaneKindAvailable(LaneKind::kFloat4));
   EXPECT_EQ(LaneKindName(LaneKind::kFloat4), "float x 4");
+}
+
+/// Height and pitch of the first of a pack's lanes less the reference's, root mean square over a
+/// whole scenario.
+struct Agreement {
+  double height = 0;  // [m]
+  double pitch = 0;   // [rad]
+};
+
+Agreement AgreementOver(const char* name, LaneKind kind) {
+  const Scenario scenario = MakeScenario(name);
+  Simulation alone(Tm27(), *scenario.ground);
+  alone.Place(Eigen::Vector2d::Zero(), 0, 0.5);
+  SimulationLanes lanes(Tm27(), *scenario.ground, kind);
+  lanes.Place(0, Eigen::Vector2d::Zero(), 0, 0.5);
+  const Driver driver = [&] {
+    Driver made(Tm27(), Path(), {.target_speed = scenario.target_speed});
+    made.SetStart(Eigen::Vector2d::Zero(), 0);
+    return made;
+  }();
+  DriverState state, lane_state;
+  std::vector<DriverCommand> commands(static_cast<std::size_t>(lanes.lanes()));
+  while (lanes.time(0) < 0) lanes.Advance(commands);  // settles
+  Agreement squares;
+  int steps = 0;
+  while (alone.time() < scenario.duration) {
+    const bool stands = alone.time() < scenario.standing_time;
+    const double dt = alone.control_step();
+    commands[0] =
+        stands ? DriverCommand{.brake = 1} : driver.Update(lanes.ViewForDriver(0), dt, lane_state);
+    lanes.Advance(commands);
+    alone.Advance(stands ? DriverCommand{.brake = 1}
+                         : driver.Update(alone.ViewForDriver(), dt, state));
+    const ChassisView a = alone.Chassis(), b = lanes.Chassis(0);
+    squares.height += std::pow(a.p_WB.z() - b.p_WB.z(), 2);
+    squares.pitch += std::pow(a.pitch - b.pitch, 2);
+    ++steps;
+  }
+  return {std::sqrt(squares.height / steps), std::sqrt(squares.pitch / steps)};
+}
+
+TEST(SimulationLanes, AgreeWithTheReferenceOverThePapersScenarios) {
+  for (const char* scenario : {"A", "B", "C"}) {
+    const Agreement floats = AgreementOver(scenario, LaneKind::kFloat);
+    EXPECT_LT(floats.height, 1e-4) << scenario;
+    EXPECT_LT(floats.pitch, Degrees(0.01)) << scenario;
+    for (const LaneKind kind : Available(true)) {
+      const Agreement doubles = AgreementOver(scenario, kind);
+      EXPECT_LT(doubles.height, 1e-9) << scenario << " " << LaneKindName(kind);
+      EXPECT_LT(doubles.pitch, 1e-9) << scenario << " " << LaneKindName(kind);
+    }
+    RecordProperty(std::string("height_rms_mm_") + scenario, std::to_string(1e3 * floats.height));
+    RecordProperty(std::string("pitch_rms_deg_") + scenario,
+                   std::to_string(ToDegrees(floats.pitch)));
+  }
 }
 
 }  // namespace
