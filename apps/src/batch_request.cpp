@@ -93,6 +93,7 @@ PlanArguments ReadPlan(const JsonObject& line) {
   const std::string coordinates = Choice(line, "coords", "map", {"map", "wgs84"});
   plan.coordinates = coordinates == "wgs84" ? Coordinates::kWgs84 : Coordinates::kMap;
   if (line.Has("candidates")) plan.candidates = line.Integer("candidates", 1, 100000);
+  plan.reversing = line.Flag("reversing", false);
   if (line.Has("rounds")) plan.rounds = line.Integer("rounds", 1, 100);
   plan.seed = static_cast<std::uint64_t>(line.Number("seed", 0, kLargestSeed, 1));
   plan.max_speed_kmh = line.Number("max_speed_kmh", 0.1, 500, plan.max_speed_kmh);

@@ -71,6 +71,7 @@ ordered_json CandidateProperties(const Plan& plan, std::size_t i) {
           {"chosen", plan.chosen && static_cast<std::size_t>(*plan.chosen) == i},
           {"score", score.feasible ? ordered_json(Rounded(score.total, 3)) : ordered_json(nullptr)},
           {"length_m", Rounded(plan.candidates[i].path.length(), 2)},
+          {"reverse_m", Rounded(plan.candidates[i].path.reverse_length(), 2)},
           {"driven_m", Rounded(rollout.distance, 2)},
           {"time_s", Rounded(rollout.time, 2)}};
 }

@@ -44,6 +44,7 @@ double TimeLeft(std::chrono::steady_clock::time_point begin, double deadline) {
 PlanOptions MakePlanOptions(const PlanArguments& arguments) {
   PlanOptions options;
   options.sampling.candidates = arguments.candidates;
+  options.sampling.reversing = arguments.reversing;
   options.uncertainty.draws = arguments.draws;
   options.uncertainty.min_success = arguments.min_success;
   options.uncertainty.spread = {arguments.soil_spread, arguments.elevation_error_m,

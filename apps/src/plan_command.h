@@ -20,6 +20,7 @@ struct PlanArguments {
   int candidates = 32;
   int rounds = 3;
   double max_speed_kmh = 28.8;
+  bool reversing = false;
   std::uint64_t seed = 1;
   int threads = 0;
   int draws = 1;

@@ -61,6 +61,8 @@ void AddPlanFlags(CLI::App* command, PlanArguments* plan) {
                    "Target speed on open ground, default 28.8")
       ->check(Within(0.1, 500.0))
       ->option_text("V");
+  command->add_flag("--reversing", plan->reversing,
+                    "Routes may change between forward and reverse, as in a three-point turn");
   command->add_option("--seed", plan->seed, "Of the sampling, default 1")->option_text("N");
   AddThreadsFlag(command, &plan->threads);
   command

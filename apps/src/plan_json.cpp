@@ -69,6 +69,7 @@ ordered_json RequestJson(const PlanRecord& record) {
           {"deadline_s", record.arguments.deadline_s > 0 ? ordered_json(record.arguments.deadline_s)
                                                          : ordered_json(nullptr)},
           {"rounds", record.options.learning.rounds},
+          {"reversing", record.options.sampling.reversing},
           {"uncertainty", UncertaintyJson(record.options.uncertainty)},
           {"max_speed_kmh", Rounded(record.options.max_speed * 3.6, 6)}};
 }
@@ -110,6 +111,7 @@ ordered_json CandidatesJson(const PlanRecord& record) {
         {"id", i},
         {"origin", plan.candidates[i].origin},
         {"path_length", Rounded(plan.candidates[i].path.length(), 3)},
+        {"reverse_length", Rounded(plan.candidates[i].path.reverse_length(), 3)},
         {"separation", separations.size() > 1 ? ordered_json(Rounded(separations[i], 2))
                                               : ordered_json(nullptr)}};
     if (!plan.candidates[i].speed_caps.empty()) {

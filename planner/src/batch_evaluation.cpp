@@ -16,11 +16,12 @@ namespace {
 double LongestTime(const Path& path, double max_speed) {
   constexpr double kSlowestShare = 0.15;  // of max_speed, on average over the route
   constexpr double kStartAndStop = 20;    // [s]
-  return kStartAndStop + path.length() / (kSlowestShare * max_speed);
+  const auto stops = static_cast<double>(path.stretches().size());
+  return kStartAndStop * stops + path.length() / (kSlowestShare * max_speed);
 }
 
 DriveTask TaskOf(const Candidate& candidate, const PlanOptions& options) {
-  return {&candidate.path, candidate.path.Position(0), candidate.path.Heading(0),
+  return {&candidate.path, candidate.path.Position(0), candidate.path.VehicleHeading(0),
           DriveOptionsFor(candidate, options)};
 }
 

@@ -24,6 +24,13 @@ TerrainFiles FilesOf(const dbd_terrain_files& given) {
   files.material_table = TextOf(given.material_table);
   files.obstacles = TextOf(given.obstacles);
   files.surface_model = TextOf(given.surface_model);
+  if (given.moisture != nullptr) {
+    files.moisture = MoistureStateOf(given.moisture);
+    if (!files.moisture) {
+      throw InputError("dbd_terrain_load: moisture is \"" + TextOf(given.moisture) +
+                       "\", must be dry, moist or wet");
+    }
+  }
   if (files.materials.empty() != files.material_table.empty()) {
     throw InputError("dbd_terrain_load: materials and material_table need each other");
   }

@@ -24,6 +24,7 @@ Eigen::Vector2d PlaceOf(const Terrain& terrain, int coordinates, const double (&
 PlanOptions OptionsOf(const dbd_request& request) {
   PlanOptions options;
   options.sampling.candidates = request.candidates;
+  options.sampling.reversing = request.reversing != 0;
   options.learning.rounds = request.rounds;
   options.seed = request.seed;
   options.max_speed = request.max_speed;

@@ -1,3 +1,4 @@
+#include <dbd/core/driver.h>
 #include <dbd/planner/candidate_curve.h>
 
 #include <algorithm>
@@ -11,6 +12,11 @@ int StepCount(double length) {
   return std::max(1, static_cast<int>(std::ceil(length / kPoseStep)));
 }
 
+double StepRate(const TrafficabilityLayer& layer, const Pose2& pose) {
+  const double rate = layer.SecondsPerMetre(pose.x, pose.y, pose.heading);
+  return pose.reverse ? std::max(rate, 1 / kReverseSpeed) + kReverseCost : rate;
+}
+
 }  // namespace
 
 double CurveCost(const TrafficabilityLayer& layer, const Pose2& from, const DubinsCurve& curve) {
@@ -19,11 +25,21 @@ double CurveCost(const TrafficabilityLayer& layer, const Pose2& from, const Dubi
   const double step = sampler.length() / steps;
   double rates = 0;
   for (int i = 1; i <= steps; ++i) {
-    const Pose2 pose = sampler.At(i * step);
-    rates += layer.SecondsPerMetre(pose.x, pose.y, pose.heading);
+    rates += StepRate(layer, sampler.At(i * step));
     if (std::isinf(rates)) return rates;
   }
-  return rates * step;
+  return rates * step + (from.reverse != curve.reverse ? kGearChangeCost : 0);
+}
+
+double WaypointsCost(const TrafficabilityLayer& layer, Pose2 from,
+                     const std::vector<Pose2>& waypoints, double turning_radius) {
+  double cost = 0;
+  for (const Pose2& to : waypoints) {
+    cost += CurveCost(layer, from, ShortestDubinsCurve(from, to, turning_radius));
+    if (std::isinf(cost)) break;
+    from = to;
+  }
+  return cost;
 }
 
 std::vector<Pose2> DensePoses(const std::vector<Pose2>& waypoints, double turning_radius) {
@@ -39,12 +55,15 @@ std::vector<Pose2> DensePoses(const std::vector<Pose2>& waypoints, double turnin
   return poses;
 }
 
+double StepCost(const TrafficabilityLayer& layer, const Pose2& from, const Pose2& to) {
+  const double length = (to.position() - from.position()).norm();
+  const double cost = length * StepRate(layer, to);
+  return from.reverse == to.reverse ? cost : cost + kGearChangeCost;
+}
+
 double PosesCost(const TrafficabilityLayer& layer, const std::vector<Pose2>& poses) {
   double cost = 0;
-  for (std::size_t i = 1; i < poses.size(); ++i) {
-    const double step = (poses[i].position() - poses[i - 1].position()).norm();
-    cost += step * layer.SecondsPerMetre(poses[i].x, poses[i].y, poses[i].heading);
-  }
+  for (std::size_t i = 1; i < poses.size(); ++i) cost += StepCost(layer, poses[i - 1], poses[i]);
   return cost;
 }
 
@@ -52,6 +71,21 @@ bool AllGo(const TrafficabilityLayer& layer, const std::vector<Pose2>& poses) {
   return std::all_of(poses.begin(), poses.end(), [&](const Pose2& pose) {
     return layer.Evaluate(pose.x, pose.y, pose.heading).go();
   });
+}
+
+bool Reverses(const std::vector<Pose2>& poses) {
+  return std::any_of(poses.begin() + !poses.empty(), poses.end(),
+                     [](const Pose2& pose) { return pose.reverse; });
+}
+
+Path PathAlong(const std::vector<Pose2>& poses, const Eigen::Vector2d& start,
+               const Eigen::Vector2d& goal) {
+  std::vector<Eigen::Vector2d> points = Positions(poses);
+  points.front() = start;
+  points.back() = goal;
+  std::vector<bool> reverse;
+  for (const Pose2& pose : poses) reverse.push_back(pose.reverse);
+  return Path(points, reverse);
 }
 
 std::vector<Eigen::Vector2d> Positions(const std::vector<Pose2>& poses) {

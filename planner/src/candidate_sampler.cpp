@@ -50,10 +50,7 @@ void CheckRequest(const Terrain& terrain, const PlanRequest& request) {
 }
 
 Candidate ToCandidate(const RouteDraft& draft, const PlanRequest& request) {
-  std::vector<Eigen::Vector2d> points = Positions(draft.poses);
-  points.front() = request.start;
-  points.back() = request.goal;
-  return {draft.origin, Path(points), draft.cost};
+  return {draft.origin, PathAlong(draft.poses, request.start, request.goal), draft.cost};
 }
 
 }  // namespace

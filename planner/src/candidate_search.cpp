@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numbers>
@@ -27,6 +28,10 @@ namespace {
 
 constexpr const char* kRoadmapName = "roadmap";
 constexpr const char* kLatticeName = "lattice";
+constexpr const char* kReversingName = "reversing";
+constexpr int kReversingDrafts = 4;
+constexpr int kReversingDraftsAlone = 12;  // where nothing else connects start and goal
+constexpr int kReversingShare = 4;         // one of so many candidates
 constexpr int kTautRoutes = 2;
 constexpr double kTautSeparation = 0.2;  // as a share of the usual
 constexpr int kFreeHeadings = 8;
@@ -89,24 +94,29 @@ std::vector<Pose2> CandidateSearch::EndPoses(const Eigen::Vector2d& place,
 std::optional<NoRouteDiagnosis> CandidateSearch::Run(CandidatePool* pool,
                                                      const ProgressCallback& progress) {
   if (auto diagnosis = DiagnoseEnds()) return diagnosis;
-  if (!ConnectRoadmap()) {
-    if (query_.guides.empty()) return DiagnoseBetween();
-    roadmap_ = nullptr;
+  if (!ConnectRoadmap()) roadmap_ = nullptr;
+  std::vector<RouteDraft> reversing;
+  if (options_.sampling.reversing) reversing = ReversingDrafts();
+  if (roadmap_ == nullptr && query_.guides.empty()) {
+    for (RouteDraft& draft : reversing) pool->Offer(std::move(draft), kTautSeparation);
+    pool->FillUp(options_.sampling.candidates);
+    return pool->size() > 0 ? std::nullopt : std::optional(DiagnoseBetween());
   }
   const int wanted = options_.sampling.candidates;
   for (int wave = 0; wave < kWaves && pool->size() < wanted; ++wave) {
     const int before = pool->size();
     std::vector<RouteDraft> drafts = Generate(NextWave(wave, wanted - pool->size()));
     if (wave == 0 && !narrow_way_.empty()) drafts.insert(drafts.begin(), NarrowDraft());
-    std::vector<RouteDraft> taut;
+    std::vector<RouteDraft> extra = std::exchange(reversing, {});
     if (wave == 0) {
-      taut =
+      std::vector<RouteDraft> taut =
           TautRoutes(layer_, turning_radius_, request_, drafts, std::min(kTautRoutes, wanted / 8),
                      DeriveSeed(options_.seed, streams_used_++));
       ThrowIfStopped(stop_);
+      std::move(taut.begin(), taut.end(), std::back_inserter(extra));
     }
-    OfferAll(std::move(drafts), pool, static_cast<int>(taut.size()));
-    for (RouteDraft& draft : taut) pool->Offer(std::move(draft), kTautSeparation);
+    OfferAll(std::move(drafts), pool, static_cast<int>(extra.size()));
+    for (RouteDraft& draft : extra) pool->Offer(std::move(draft), kTautSeparation);
     if (progress) progress("sample", pool->size(), wanted);
     if (roadmap_ == nullptr && pool->size() == 0) return DiagnoseBetween();
     if (wave > 0 && pool->size() - before < kLeastYield * (wanted - before)) break;
@@ -251,6 +261,36 @@ RouteDraft CandidateSearch::NarrowDraft() {
   RouteDraft draft{kLatticeName, narrow_way_, 0, {}};
   Finish(&draft, DeriveSeed(options_.seed, streams_used_++));
   return draft;
+}
+
+std::vector<RouteDraft> CandidateSearch::ReversingDrafts() {
+  LatticeOptions lattice;
+  lattice.reversing = true;
+  const OmplQuery ompl_query{turning_radius_,   query_.starts,     query_.goals,
+                             query_.min_corner, query_.max_corner, true};
+  const std::uint64_t first_stream = streams_used_;
+  const int count = roadmap_ == nullptr ? kReversingDraftsAlone : kReversingDrafts;
+  streams_used_ += count;
+  std::vector<RouteDraft> drafts(count);
+  tbb::parallel_for(0, count, [&](int i) {
+    const std::uint64_t seed = DeriveSeed(options_.seed, first_stream + i);
+    RouteDraft& draft = drafts[i];
+    draft.origin = kReversingName;
+    draft.poses = i == 0 ? SearchLattice(layer_, turning_radius_, query_, lattice, stop_)
+                         : SolveWithOmpl(OmplPlanner::kRrtConnect, layer_, ompl_query, seed,
+                                         kRrtConnectIterations, stop_);
+    Finish(&draft, seed);
+  });
+  // Those without a change of direction are found without the reverse gear too.
+  std::erase_if(drafts, [](const RouteDraft& draft) {
+    return !std::isfinite(draft.cost) || !Reverses(draft.poses);
+  });
+  std::stable_sort(drafts.begin(), drafts.end(),
+                   [](const RouteDraft& a, const RouteDraft& b) { return a.cost < b.cost; });
+  const auto places =
+      static_cast<std::size_t>(std::max(1, options_.sampling.candidates / kReversingShare));
+  if (roadmap_ != nullptr) drafts.resize(std::min(drafts.size(), places));
+  return drafts;
 }
 
 std::vector<std::vector<Pose2>> CandidateSearch::PenalizedRoutes(int count) {

@@ -36,6 +36,8 @@ class CandidateSearch {
   bool ConnectRoadmap();
   // Poses along a way through narrow places become nodes of the next roadmap, and a route.
   void SearchNarrowWays();
+  // Routes that change direction, from a lattice and from RRTConnect.
+  std::vector<RouteDraft> ReversingDrafts();
   Wave NextWave(int wave, int missing) const;
   // Offers each source's quota first, then what was made on top.
   // Leaves so many places free.

@@ -44,9 +44,7 @@ class Smoother {
     costs_.resize(poses_.size());
     costs_[0] = 0;
     for (std::size_t i = std::max<std::size_t>(first, 1); i < poses_.size(); ++i) {
-      const Pose2& pose = poses_[i];
-      const double step = (pose.position() - poses_[i - 1].position()).norm();
-      costs_[i] = costs_[i - 1] + step * layer_.SecondsPerMetre(pose.x, pose.y, pose.heading);
+      costs_[i] = costs_[i - 1] + StepCost(layer_, poses_[i - 1], poses_[i]);
     }
   }
 

@@ -62,7 +62,7 @@ std::vector<Pose2> PosesAlong(const Path& path) {
   for (int i = 0; i <= steps; ++i) {
     const double s = path.length() * i / steps;
     const Eigen::Vector2d p = path.Position(s);
-    poses.push_back({p.x(), p.y(), path.Heading(s)});
+    poses.push_back({p.x(), p.y(), path.VehicleHeading(s), path.StretchAt(s).reverse});
   }
   return poses;
 }
@@ -98,11 +98,8 @@ class Variation {
     const std::vector<Pose2> before = PosesAlong(parent_.path);
     const std::vector<Pose2> after = SmoothRoute(layer_, turning_radius_, before, options, seed);
     if (PosesCost(layer_, after) >= PosesCost(layer_, before)) return std::nullopt;
-    std::vector<Eigen::Vector2d> points = Positions(after);
-    points.front() = parent_.path.points().front();
-    points.back() = parent_.path.points().back();
     Candidate smooth = Named("smooth");
-    smooth.path = Path(points);
+    smooth.path = PathAlong(after, parent_.path.points().front(), parent_.path.points().back());
     return Priced(std::move(smooth));
   }
 
@@ -204,6 +201,11 @@ std::vector<Candidate> VaryBest(const TrafficabilityLayer& layer, const VehicleM
     SplitMix64 random(DeriveSeed(seed, static_cast<std::uint64_t>(i)));
     std::optional<Candidate> variant;
     if (slowed.insert(parent).second) variant = variation.Slower();
+    // The places where the direction changes hang together: such a route keeps its shape.
+    if (driven.candidates[parent].path.reverse_length() > 0) {
+      if (variant) variants.push_back(std::move(*variant));
+      continue;
+    }
     if (!variant && i % 4 == 1) variant = variation.Smoothed(random.Next());
     if (!variant) variant = variation.Bend(random);
     if (variant) variants.push_back(std::move(*variant));

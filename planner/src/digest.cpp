@@ -52,6 +52,9 @@ std::uint64_t DigestOf(const Plan& plan) {
       for (const double value : {cap.from, cap.to, cap.speed}) hash.Add(value);
     }
     for (const Eigen::Vector2d& p : candidate.path.points()) hash.Add(p.x()), hash.Add(p.y());
+    for (const PathStretch& stretch : candidate.path.stretches()) {
+      if (stretch.reverse) hash.Add(stretch.begin), hash.Add(stretch.end);
+    }
   }
   for (const Rollout& rollout : plan.rollouts) AddRollout(rollout, hash);
   for (const Score& score : plan.scores) hash.Add(score.total);

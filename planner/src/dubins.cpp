@@ -135,14 +135,12 @@ struct Problem {
   }
 };
 
-}  // namespace
-
-double WrapAngle(double angle) {
-  const double wrapped = std::remainder(angle, kFullTurn);
-  return wrapped <= -std::numbers::pi ? std::numbers::pi : wrapped;
+Pose2 TurnedRound(Pose2 pose) {
+  pose.heading = WrapAngle(pose.heading + std::numbers::pi);
+  return pose;
 }
 
-DubinsCurve ShortestDubinsCurve(const Pose2& from, const Pose2& to, double radius) {
+DubinsCurve ShortestForwardCurve(const Pose2& from, const Pose2& to, double radius) {
   const double dx = to.x - from.x;
   const double dy = to.y - from.y;
   const double direction = std::atan2(dy, dx);
@@ -155,9 +153,24 @@ DubinsCurve ShortestDubinsCurve(const Pose2& from, const Pose2& to, double radiu
   return curve;
 }
 
+}  // namespace
+
+double WrapAngle(double angle) {
+  const double wrapped = std::remainder(angle, kFullTurn);
+  return wrapped <= -std::numbers::pi ? std::numbers::pi : wrapped;
+}
+
+DubinsCurve ShortestDubinsCurve(const Pose2& from, const Pose2& to, double radius) {
+  if (!to.reverse) return ShortestForwardCurve(from, to, radius);
+  DubinsCurve curve = ShortestForwardCurve(TurnedRound(from), TurnedRound(to), radius);
+  curve.reverse = true;
+  return curve;
+}
+
 DubinsSampler::DubinsSampler(const Pose2& from, const DubinsCurve& curve)
     : curve_(curve), length_(curve.length()) {
-  Pose2 scaled{from.x / curve.radius, from.y / curve.radius, from.heading};
+  const double heading = curve.reverse ? TurnedRound(from).heading : from.heading;
+  Pose2 scaled{from.x / curve.radius, from.y / curve.radius, heading};
   for (int i = 0; i < 3; ++i) {
     starts_[i] = scaled;
     scaled = Advance(scaled, curve.turns[i], curve.lengths[i] / curve.radius);
@@ -171,6 +184,8 @@ Pose2 DubinsSampler::At(double s) const {
   Pose2 pose = Advance(starts_[piece], curve_.turns[piece], left / curve_.radius);
   pose.x *= curve_.radius;
   pose.y *= curve_.radius;
+  if (curve_.reverse) pose = TurnedRound(pose);
+  pose.reverse = curve_.reverse;
   return pose;
 }
 

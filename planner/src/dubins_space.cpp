@@ -1,5 +1,7 @@
 #include "dubins_space.h"
 
+#include "ompl_pose.h"
+
 namespace dbd {
 
 namespace ob = ompl::base;
@@ -7,23 +9,7 @@ namespace ob = ompl::base;
 DubinsSpace::DubinsSpace(double turning_radius, const Eigen::Vector2d& min_corner,
                          const Eigen::Vector2d& max_corner)
     : ob::DubinsStateSpace(turning_radius) {
-  ob::RealVectorBounds bounds(2);
-  for (unsigned i = 0; i < 2; ++i) {
-    bounds.setLow(i, min_corner[i]);
-    bounds.setHigh(i, max_corner[i]);
-  }
-  setBounds(bounds);
-}
-
-Pose2 DubinsSpace::ToPose(const ob::State* state) {
-  const auto* se2 = state->as<StateType>();
-  return {se2->getX(), se2->getY(), se2->getYaw()};
-}
-
-void DubinsSpace::SetPose(const Pose2& pose, ob::State* state) {
-  auto* se2 = state->as<StateType>();
-  se2->setXY(pose.x, pose.y);
-  se2->setYaw(WrapAngle(pose.heading));
+  setBounds(Rectangle(min_corner, max_corner));
 }
 
 DubinsCurve DubinsSpace::Curve(const ob::State* from, const ob::State* to) const {

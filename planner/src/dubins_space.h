@@ -12,9 +12,6 @@ class DubinsSpace final : public ompl::base::DubinsStateSpace {
   DubinsSpace(double turning_radius, const Eigen::Vector2d& min_corner,
               const Eigen::Vector2d& max_corner);
 
-  static Pose2 ToPose(const ompl::base::State* state);
-  static void SetPose(const Pose2& pose, ompl::base::State* state);
-
   DubinsCurve Curve(const ompl::base::State* from, const ompl::base::State* to) const;
 
   double distance(const ompl::base::State* from, const ompl::base::State* to) const override;

@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "cost_to_go.h"
+#include "reeds_shepp.h"
 
 namespace dbd {
 namespace {
@@ -36,10 +37,12 @@ struct Node {
 class Lattice {
  public:
   Lattice(const TrafficabilityLayer& layer, double radius, const RoadmapQuery& query,
-          const std::stop_token& stop)
+          bool reversing, const std::stop_token& stop)
       : layer_(layer),
         radius_(radius),
         query_(query),
+        reversing_(reversing),
+        reeds_shepp_(radius, query.min_corner, query.max_corner),
         field_(layer, query.goals.front().position(), query.min_corner, query.max_corner, stop) {
     for (const Pose2& start : query.starts) Meet(start, -1, 0);
   }
@@ -71,14 +74,20 @@ class Lattice {
   void Expand(int at) {
     const Node from = nodes_[static_cast<std::size_t>(at)];
     for (const Turn turn : {Turn::kStraight, Turn::kLeft, Turn::kRight}) {
-      DubinsCurve curve;
-      curve.turns[0] = turn;
-      curve.lengths[0] = kStepInRadii * radius_;
-      curve.radius = radius_;
-      const double cost = CurveCost(layer_, from.pose, curve);
-      if (!std::isfinite(cost)) continue;
-      Meet(DubinsSampler(from.pose, curve).At(curve.length()), at, from.cost + cost);
+      GoOn(at, from, turn, false);
+      if (reversing_) GoOn(at, from, turn, true);
     }
+  }
+
+  void GoOn(int at, const Node& from, Turn turn, bool reverse) {
+    DubinsCurve curve;
+    curve.turns[0] = turn;
+    curve.lengths[0] = kStepInRadii * radius_;
+    curve.radius = radius_;
+    curve.reverse = reverse;
+    const double cost = CurveCost(layer_, from.pose, curve);
+    if (!std::isfinite(cost)) return;
+    Meet(DubinsSampler(from.pose, curve).At(curve.length()), at, from.cost + cost);
   }
 
   bool ReachesGoal(int at) {
@@ -86,13 +95,23 @@ class Lattice {
     const double far = (query_.goals.front().position() - pose.position()).norm() / radius_;
     if (far > kSeesGoal || (far > kNearGoal && looked_at_ % kSeldom != 0)) return false;
     for (const Pose2& goal : query_.goals) {
-      const DubinsCurve curve = ShortestDubinsCurve(pose, goal, radius_);
-      if (!std::isfinite(CurveCost(layer_, pose, curve))) continue;
+      const std::vector<Pose2> end = CheapestEnd(pose, goal);
+      if (end.empty()) continue;
       way = WayTo(at);
-      way.push_back(goal);
+      way.insert(way.end(), end.begin(), end.end());
       return true;
     }
     return false;
+  }
+
+  /// Waypoints after `pose`; none when no curve is go.
+  std::vector<Pose2> CheapestEnd(const Pose2& pose, const Pose2& goal) const {
+    const double forward = WaypointsCost(layer_, pose, {goal}, radius_);
+    if (reversing_) {
+      std::vector<Pose2> pieces = reeds_shepp_.Waypoints(pose, goal);
+      if (WaypointsCost(layer_, pose, pieces, radius_) < forward) return pieces;
+    }
+    return std::isfinite(forward) ? std::vector<Pose2>{goal} : std::vector<Pose2>{};
   }
 
   std::vector<Pose2> WayTo(int at) const {
@@ -110,12 +129,14 @@ class Lattice {
     const auto row = static_cast<std::uint64_t>((pose.y - layer_.min_corner().y()) / cell);
     const double turned = pose.heading / (2 * std::numbers::pi);
     const auto heading = static_cast<std::uint64_t>((turned - std::floor(turned)) * kHeadings);
-    return (column << 36) | (row << 8) | heading;
+    return (column << 36) | (row << 8) | (pose.reverse ? 128u : 0u) | heading;
   }
 
   const TrafficabilityLayer& layer_;
   double radius_;
   const RoadmapQuery& query_;
+  bool reversing_;
+  ReedsSheppSpace reeds_shepp_;
   CostToGoField field_;
   std::vector<Node> nodes_;
   using Entry = std::pair<double, int>;  // cost of the way through it, index; ties by index
@@ -130,7 +151,8 @@ std::vector<Pose2> Thinned(const TrafficabilityLayer& layer, double radius,
   std::vector<Pose2> kept{way.front()};
   for (std::size_t i = 2; i < way.size(); ++i) {
     const DubinsCurve curve = ShortestDubinsCurve(kept.back(), way[i], radius);
-    const bool serves = curve.length() <= kLongestWaypoint * radius &&
+    const bool serves = way[i].reverse == way[i - 1].reverse &&
+                        curve.length() <= kLongestWaypoint * radius &&
                         std::isfinite(CurveCost(layer, kept.back(), curve));
     if (!serves) kept.push_back(way[i - 1]);
   }
@@ -144,7 +166,7 @@ std::vector<Pose2> SearchLattice(const TrafficabilityLayer& layer, double turnin
                                  const RoadmapQuery& query, const LatticeOptions& options,
                                  const std::stop_token& stop) {
   if (query.starts.empty() || query.goals.empty()) return {};
-  Lattice lattice(layer, turning_radius, query, stop);
+  Lattice lattice(layer, turning_radius, query, options.reversing, stop);
   while (lattice.looked_at() < options.expansions && lattice.Step()) ThrowIfStopped(stop);
   if (lattice.way.empty()) return {};
   return Thinned(layer, turning_radius, lattice.way);

@@ -16,6 +16,8 @@
 #include <mutex>
 
 #include "dubins_space.h"
+#include "ompl_pose.h"
+#include "reeds_shepp.h"
 #include "route_objective.h"
 
 namespace dbd {
@@ -28,19 +30,25 @@ std::mutex silence_mutex;
 int silence_count = 0;
 ompl::msg::OutputHandler* silenced_handler = nullptr;
 
-ob::SpaceInformationPtr MakeSpace(const TrafficabilityLayer& layer, const OmplQuery& query) {
+template <class Space, class Validator>
+ob::SpaceInformationPtr MakeSpaceOf(const TrafficabilityLayer& layer, const OmplQuery& query) {
   const auto space =
-      std::make_shared<DubinsSpace>(query.turning_radius, query.min_corner, query.max_corner);
+      std::make_shared<Space>(query.turning_radius, query.min_corner, query.max_corner);
   // The default, 1 % of the extent, steps over whole ditches.
   space->setLongestValidSegmentFraction(kPoseStep / space->getMaximumExtent());
   auto si = std::make_shared<ob::SpaceInformation>(space);
   si->setStateValidityChecker([&layer](const ob::State* state) {
-    const Pose2 pose = DubinsSpace::ToPose(state);
+    const Pose2 pose = ToPose(state);
     return layer.Evaluate(pose.x, pose.y, pose.heading).go();
   });
-  si->setMotionValidator(std::make_shared<RouteMotionValidator>(si, layer));
+  si->setMotionValidator(std::make_shared<Validator>(si, layer));
   si->setup();
   return si;
+}
+
+ob::SpaceInformationPtr MakeSpace(const TrafficabilityLayer& layer, const OmplQuery& query) {
+  if (query.reversing) return MakeSpaceOf<ReedsSheppSpace, ReedsSheppMotionValidator>(layer, query);
+  return MakeSpaceOf<DubinsSpace, RouteMotionValidator>(layer, query);
 }
 
 ob::ProblemDefinitionPtr MakeProblem(const ob::SpaceInformationPtr& si,
@@ -48,18 +56,21 @@ ob::ProblemDefinitionPtr MakeProblem(const ob::SpaceInformationPtr& si,
   auto problem = std::make_shared<ob::ProblemDefinition>(si);
   ob::ScopedState<> state(si);
   for (const Pose2& start : query.starts) {
-    DubinsSpace::SetPose(start, state.get());
+    SetPose(start, state.get());
     problem->addStartState(state);
   }
   auto goals = std::make_shared<ob::GoalStates>(si);
   std::vector<Eigen::Vector2d> places;
   for (const Pose2& goal : query.goals) {
-    DubinsSpace::SetPose(goal, state.get());
+    SetPose(goal, state.get());
     goals->addState(state);
     places.push_back(goal.position());
   }
   problem->setGoal(goals);
-  problem->setOptimizationObjective(std::make_shared<RouteObjective>(si, layer, std::move(places)));
+  if (!query.reversing) {
+    problem->setOptimizationObjective(
+        std::make_shared<RouteObjective>(si, layer, std::move(places)));
+  }
   return problem;
 }
 
@@ -68,12 +79,19 @@ std::shared_ptr<ob::Planner> MakePlanner(OmplPlanner planner, const ob::SpaceInf
   return std::make_shared<og::ABITstar>(si);
 }
 
-std::vector<Pose2> Waypoints(const ob::ProblemDefinition& problem) {
+std::vector<Pose2> Waypoints(const ob::ProblemDefinition& problem, const OmplQuery& query) {
   std::vector<Pose2> waypoints;
   const auto path = std::dynamic_pointer_cast<og::PathGeometric>(problem.getSolutionPath());
   if (path == nullptr) return waypoints;
+  const ReedsSheppSpace reversing(query.turning_radius, query.min_corner, query.max_corner);
   for (const ob::State* state : path->getStates()) {
-    waypoints.push_back(DubinsSpace::ToPose(state));
+    const Pose2 pose = ToPose(state);
+    if (waypoints.empty() || !query.reversing) {
+      waypoints.push_back(pose);
+      continue;
+    }
+    const std::vector<Pose2> pieces = reversing.Waypoints(waypoints.back(), pose);
+    waypoints.insert(waypoints.end(), pieces.begin(), pieces.end());
   }
   return waypoints;
 }
@@ -103,7 +121,7 @@ std::vector<Pose2> SolveWithOmpl(OmplPlanner planner, const TrafficabilityLayer&
   ThrowIfStopped(stop);
   if (status != ob::PlannerStatus::EXACT_SOLUTION) return {};
   // Not every planner of OMPL 1.5 respects that a Dubins curve has a direction.
-  const std::vector<Pose2> waypoints = Waypoints(*problem);
+  const std::vector<Pose2> waypoints = Waypoints(*problem, query);
   if (!AllGo(layer, DensePoses(waypoints, query.turning_radius))) return {};
   return waypoints;
 }

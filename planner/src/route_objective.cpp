@@ -8,6 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "ompl_pose.h"
+
 namespace dbd {
 
 namespace ob = ompl::base;
@@ -25,17 +27,16 @@ RouteObjective::RouteObjective(const ob::SpaceInformationPtr& si, const Traffica
 ob::Cost RouteObjective::stateCost(const ob::State*) const { return identityCost(); }
 
 ob::Cost RouteObjective::motionCost(const ob::State* from, const ob::State* to) const {
-  return ob::Cost(CurveCost(layer_, DubinsSpace::ToPose(from), space_.Curve(from, to)));
+  return ob::Cost(CurveCost(layer_, ToPose(from), space_.Curve(from, to)));
 }
 
 ob::Cost RouteObjective::motionCostHeuristic(const ob::State* from, const ob::State* to) const {
-  const Eigen::Vector2d way =
-      DubinsSpace::ToPose(to).position() - DubinsSpace::ToPose(from).position();
+  const Eigen::Vector2d way = ToPose(to).position() - ToPose(from).position();
   return ob::Cost(way.norm() * layer_.min_seconds_per_metre());
 }
 
 ob::Cost RouteObjective::CostToGo(const ob::State* state) const {
-  const Eigen::Vector2d place = DubinsSpace::ToPose(state).position();
+  const Eigen::Vector2d place = ToPose(state).position();
   double nearest = std::numeric_limits<double>::infinity();
   for (const Eigen::Vector2d& goal : goals_) nearest = std::min(nearest, (goal - place).norm());
   return ob::Cost(nearest * layer_.min_seconds_per_metre());
@@ -47,7 +48,7 @@ RouteMotionValidator::RouteMotionValidator(const ob::SpaceInformationPtr& si,
 
 std::pair<double, bool> RouteMotionValidator::ValidShare(const ob::State* from,
                                                          const ob::State* to) const {
-  const DubinsSampler sampler(DubinsSpace::ToPose(from), space_.Curve(from, to));
+  const DubinsSampler sampler(ToPose(from), space_.Curve(from, to));
   const int steps = std::max(1, static_cast<int>(std::ceil(sampler.length() / kPoseStep)));
   for (int i = 1; i <= steps; ++i) {
     const Pose2 pose = sampler.At(sampler.length() * i / steps);

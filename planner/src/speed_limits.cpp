@@ -61,7 +61,7 @@ double SpeedBesideObstacles(const Terrain& terrain, const VehicleModel& vehicle,
   const VehicleOutline& outline = vehicle.outline;
   const double body_ahead = vehicle.bodies.empty() ? 0 : vehicle.bodies[0].p_RB.x();
   const double ahead = body_ahead + 0.5 * (outline.front - outline.rear) - vehicle.path_point_x();
-  const double heading = path.Heading(s);
+  const double heading = path.VehicleHeading(s);
   const Eigen::Vector2d center =
       path.Position(s) + ahead * Eigen::Vector2d(std::cos(heading), std::sin(heading));
   const Eigen::Vector2d half(0.5 * (outline.front + outline.rear), outline.half_width);

@@ -190,6 +190,10 @@ TEST_F(CApi, SaysWhatIsWrong) {
   files.material_table = "uscs";
   EXPECT_EQ(dbd_terrain_load(&files, &terrain), DBD_ERROR_INPUT);
   EXPECT_THAT(dbd_last_error(), HasSubstr("need each other"));
+  files = files_;
+  files.moisture = "soaked";
+  EXPECT_EQ(dbd_terrain_load(&files, &terrain), DBD_ERROR_INPUT);
+  EXPECT_THAT(dbd_last_error(), HasSubstr("\"soaked\", must be dry, moist or wet"));
   EXPECT_EQ(terrain, nullptr);
   dbd_vehicle* vehicle = nullptr;
   EXPECT_EQ(dbd_vehicle_load("moped", &vehicle), DBD_ERROR_INPUT);
@@ -209,6 +213,17 @@ TEST_F(CApi, SaysWhatIsWrong) {
   request = Request();
   request.coordinates = 7;
   EXPECT_THAT(FailureOf(request), HasSubstr("coordinates"));
+}
+
+TEST_F(CApi, MayReverse) {
+  // Nose away from the goal: backing is an option that changes what is sampled.
+  dbd_request request = Request();
+  request.start_yaw = 3.14159265;
+  const dbd_result forward = ResultOf(request);
+  request.reversing = 1;
+  const dbd_result result = ResultOf(request);
+  EXPECT_EQ(result.status, DBD_PLAN_ROUTE);
+  EXPECT_NE(result.digest, forward.digest);
 }
 
 TEST_F(CApi, NullIsRefusedAndMayBeFreed) {

@@ -113,5 +113,29 @@ void ExpectNoCircles(double noise) {
 TEST(Dubins, NeighboursOnOneCurveGetNoFullCircle) { ExpectNoCircles(0); }
 TEST(Dubins, NeighboursWithRoundingNoiseGetNoFullCircle) { ExpectNoCircles(1e-9); }
 
+TEST(Dubins, InReverseItIsTheCurveOfTheVehicleTurnedRound) {
+  const DubinsCurve straight = ShortestDubinsCurve({0, 0, 0}, {-10, 0, 0, true}, 3);
+  EXPECT_TRUE(straight.reverse);
+  EXPECT_NEAR(straight.length(), 10, 1e-9);
+  RandomPoses poses(30);
+  for (int i = 0; i < 2000; ++i) {
+    const Pose2 from = poses.Next();
+    Pose2 to = poses.Next();
+    to.reverse = true;
+    const DubinsCurve curve = ShortestDubinsCurve(from, to, 6);
+    const DubinsSampler sampler(from, curve);
+    EXPECT_LT(Miss(sampler.At(curve.length()), to), 1e-5);
+    EXPECT_LT(Miss(sampler.At(0), from), 1e-9);
+    // It moves against where the vehicle points.
+    const Pose2 a = sampler.At(0.5 * curve.length()), b = sampler.At(0.5 * curve.length() + 1e-3);
+    const Eigen::Vector2d ahead(std::cos(a.heading), std::sin(a.heading));
+    EXPECT_LT((b.position() - a.position()).dot(ahead), 0);
+    EXPECT_TRUE(a.reverse);
+    // Time runs backwards: the forward curve from `to` to `from` is as long.
+    EXPECT_NEAR(curve.length(), ShortestDubinsCurve(to, {from.x, from.y, from.heading}, 6).length(),
+                1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace dbd

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "candidate_test_terrain.h"
 
@@ -88,6 +89,32 @@ TEST_F(LatticeSearch, ItsWayIsACandidateWhenAskedFor) {
                   [](const Candidate& candidate) { return candidate.origin == "lattice"; }));
   for (const Candidate& candidate : set.candidates)
     EXPECT_TRUE(std::isfinite(candidate.layer_cost));
+}
+
+/// A lane of 6 m between posts, closed in the west and open in the east: too narrow to turn in.
+Terrain Lane() {
+  std::vector<std::string> drawing(50, std::string(60, '.'));
+  for (int column = 2; column < 30; ++column) drawing[21][column] = drawing[28][column] = '#';
+  for (int row = 21; row <= 28; ++row) drawing[row][2] = '#';
+  return DrawnTerrain(drawing, 1.0);
+}
+
+TEST(LatticeSearchReversing, BacksOutOfALane) {
+  const Terrain terrain = Lane();
+  const TrafficabilityLayer layer(terrain, *TestVehicle(), 8.0);
+  const double radius = TestVehicle()->min_turning_radius();
+  RoadmapQuery query = FromWestToEast(layer);
+  query.starts = {{12, 24.5, WrapAngle(std::numbers::pi)}};
+  query.goals = {{54, 25, 0}};
+  EXPECT_TRUE(SearchLattice(layer, radius, query, {}).empty());
+  LatticeOptions options;
+  options.reversing = true;
+  const std::vector<Pose2> way = SearchLattice(layer, radius, query, options);
+  ASSERT_FALSE(way.empty());
+  const std::vector<Pose2> dense = DensePoses(way, radius);
+  EXPECT_TRUE(AllGo(layer, dense));
+  EXPECT_TRUE(Reverses(dense));
+  EXPECT_LT(PathAlong(dense, {12, 24.5}, {54, 25}).stretches().size(), 4u);  // no needless changes
 }
 
 TEST_F(LatticeSearch, StopsWhenAsked) {

@@ -2,6 +2,7 @@
 #include <dbd/planner/ompl_planners.h>
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <thread>
 #include <vector>
 
@@ -79,6 +80,43 @@ TEST_P(OmplPlanners, PrintNothing) {
 
 INSTANTIATE_TEST_SUITE_P(All, OmplPlanners,
                          testing::Values(OmplPlanner::kRrtConnect, OmplPlanner::kAbitStar));
+
+TEST(OmplPlanners, ReedsSheppRoutesHoldBeforeTheLayer) {
+  // Turning round on a strip that is too narrow for a turn in one go.
+  std::vector<std::string> drawing(16, std::string(60, '.'));
+  for (char& mark : drawing[0]) mark = '#';
+  for (char& mark : drawing[15]) mark = '#';
+  const Terrain terrain = DrawnTerrain(drawing, 1.0);
+  const TrafficabilityLayer layer(terrain, *TestVehicle(), 8.0);
+  OmplQuery query;
+  query.turning_radius = TestVehicle()->min_turning_radius();
+  query.starts = {{30, 7.5, 0}};
+  query.goals = {{10, 7.5, WrapAngle(std::numbers::pi)}};
+  query.min_corner = layer.min_corner();
+  query.max_corner = layer.max_corner();
+  query.reversing = true;
+  ASSERT_TRUE(layer.Evaluate(30, 7.5, 0).go());
+  ASSERT_TRUE(layer.Evaluate(10, 7.5, std::numbers::pi).go());
+  const std::vector<Pose2> way = SolveWithOmpl(OmplPlanner::kRrtConnect, layer, query, 5, 20000);
+  ASSERT_FALSE(way.empty());
+  const std::vector<Pose2> dense = DensePoses(way, query.turning_radius);
+  EXPECT_TRUE(AllGo(layer, dense));
+  EXPECT_TRUE(Reverses(dense));
+  EXPECT_EQ(way.back().position(), query.goals[0].position());
+}
+
+TEST(OmplPlanners, EndsThatFaceDueWestAreEndsToo) {
+  // OMPL's headings lie in [-pi, pi), ours in (-pi, pi].
+  const Terrain terrain = SurfaceTerrain(61, 61, 1, [](double, double) { return 0.0; });
+  const TrafficabilityLayer layer(terrain, *TestVehicle(), 8.0);
+  OmplQuery query;
+  query.turning_radius = TestVehicle()->min_turning_radius();
+  query.starts = {{50, 30, std::numbers::pi}};
+  query.goals = {{10, 32, std::numbers::pi}};
+  query.min_corner = layer.min_corner();
+  query.max_corner = layer.max_corner();
+  EXPECT_FALSE(SolveWithOmpl(OmplPlanner::kRrtConnect, layer, query, 5, 2000).empty());
+}
 
 }  // namespace
 }  // namespace dbd

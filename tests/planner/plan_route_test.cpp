@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <numbers>
 #include <random>
 #include <thread>
 
@@ -193,6 +194,53 @@ TEST(PlanRoute, WorksInTheCallersArenaWhenAsked) {
   alone.execute([&] { plan = PlanHill(options, {}, look); });
   EXPECT_FALSE(elsewhere);
   EXPECT_EQ(plan.digest, PlanHill(FewCandidates()).digest);
+}
+
+/// A lane of 6 m between posts, closed in the west: the vehicle stands in it, nose to the west.
+std::shared_ptr<const Terrain> Lane() {
+  std::vector<std::string> drawing(50, std::string(70, '.'));
+  for (int column = 5; column < 32; ++column) drawing[21][column] = drawing[28][column] = '#';
+  for (int row = 21; row <= 28; ++row) drawing[row][5] = '#';
+  return std::make_shared<const Terrain>(DrawnTerrain(drawing, 1.0));
+}
+
+TEST(PlanRoute, BacksOutOfALaneWhereItMay) {
+  PlanRequest request;
+  request.start = {15, 24.5};
+  request.start_heading = std::numbers::pi;
+  request.goal = {60, 25};
+  PlanOptions options = FewCandidates();
+  const Plan forward = PlanRoute(Lane(), TestVehicle(), request, options);
+  EXPECT_EQ(forward.status, PlanStatus::kNoGo);
+  options.sampling.reversing = true;
+  const Plan plan = PlanRoute(Lane(), TestVehicle(), request, options);
+  ASSERT_EQ(plan.status, PlanStatus::kRoute) << plan.reason;
+  ExpectConsistent(plan);
+  const auto chosen = static_cast<std::size_t>(*plan.chosen);
+  EXPECT_GT(plan.candidates[chosen].path.reverse_length(), 5);
+  const std::vector<TraceSample>& trace = plan.rollouts[chosen].trace;
+  EXPECT_TRUE(std::any_of(trace.begin(), trace.end(),
+                          [](const TraceSample& sample) { return sample.speed < -0.5; }));
+  // The same for one thread and for the reference engine, which only rounds otherwise.
+  options.threads = 1;
+  EXPECT_EQ(PlanRoute(Lane(), TestVehicle(), request, options).digest, plan.digest);
+  options.engine = RolloutEngine::kReference;
+  const Plan reference = PlanRoute(Lane(), TestVehicle(), request, options);
+  EXPECT_EQ(reference.chosen, plan.chosen);
+}
+
+TEST(PlanRoute, LanesChooseAsTheReferenceDoes) {
+  PlanOptions options = FewCandidates();
+  options.learning.rounds = 1;  // so that both drive the same routes
+  const Plan lanes = PlanHill(options);
+  options.engine = RolloutEngine::kReference;
+  const Plan reference = PlanHill(options);
+  EXPECT_EQ(lanes.chosen, reference.chosen);
+  ASSERT_EQ(lanes.rollouts.size(), reference.rollouts.size());
+  for (std::size_t i = 0; i < lanes.rollouts.size(); ++i) {
+    EXPECT_EQ(lanes.rollouts[i].outcome, reference.rollouts[i].outcome) << i;
+    EXPECT_NEAR(lanes.rollouts[i].time, reference.rollouts[i].time, 0.05) << i;
+  }
 }
 
 }  // namespace

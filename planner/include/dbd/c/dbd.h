@@ -45,6 +45,7 @@ typedef struct dbd_terrain_files {
   const char* crs;            /* of the elevation, instead of what its file states */
   const char* materials;      /* class raster or polygons */
   const char* material_table; /* a built-in table or a file; with materials */
+  const char* moisture;       /* of the soils: "dry", "moist" or "wet" */
   const char* obstacles;      /* OctoMap */
   const char* surface_model;  /* raster with what stands on the ground */
 } dbd_terrain_files;
@@ -81,6 +82,7 @@ typedef struct dbd_request {
   double goal_yaw;
   int candidates; /* routes to drive */
   int rounds;     /* of driving and learning */
+  int reversing;  /* not 0: routes may change between forward and reverse */
   uint64_t seed;
   double max_speed;   /* [m/s] */
   double deadline;    /* [s], then the best so far; INFINITY: none */

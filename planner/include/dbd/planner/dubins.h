@@ -5,11 +5,13 @@
 
 namespace dbd {
 
-/// A place [m] and a direction of travel [rad, 0 = east, counter-clockwise] in the frame W.
+/// A place [m] and where the vehicle's front points [rad, 0 = east, counter-clockwise] in the frame
+/// W.
 struct Pose2 {
   double x = 0;
   double y = 0;
   double heading = 0;
+  bool reverse = false;  ///< on a route: the vehicle comes here in reverse
 
   Eigen::Vector2d position() const { return {x, y}; }
 };
@@ -19,17 +21,19 @@ double WrapAngle(double angle);
 
 enum class Turn : signed char { kRight = -1, kStraight = 0, kLeft = 1 };
 
-/// Three pieces of circle or straight line, driven forward only.
+/// Three pieces of circle or straight line, driven forward throughout or in reverse throughout.
 struct DubinsCurve {
   std::array<Turn, 3> turns{Turn::kLeft, Turn::kStraight, Turn::kLeft};
   std::array<double, 3> lengths{};  ///< [m], none negative
   double radius = 1;                ///< of the turns [m]
+  bool reverse = false;             ///< then the turns are as seen when looking backwards
 
   double length() const { return lengths[0] + lengths[1] + lengths[2]; }
 };
 
 /// The shortest curve of bounded curvature between two poses (L. E. Dubins 1957; the six words as
-/// written by Shkel and Lumelsky 2001). `radius` [m] must be positive.
+/// written by Shkel and Lumelsky 2001). `radius` [m] must be positive. When `to` is come to in
+/// reverse, it is that of the vehicle turned round.
 ///
 /// The end pose is met within 1e-7 radii. Within that tolerance a turn that rounding has made a
 /// full circle is left out, so that two poses of one curve are joined by that curve.

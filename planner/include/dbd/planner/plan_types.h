@@ -22,6 +22,7 @@ struct SamplingOptions {
   int planner_iterations = 2000;  ///< of each OPTIMISING planner run
   double min_separation = 5.0;    ///< routes nearer to each other than this are the same [m]
   bool narrow_ways = false;       ///< search a lattice even where random samples find routes
+  bool reversing = false;         ///< routes may change between forward and reverse
 };
 
 /// How the budget of driven candidates is spent: some are driven first, what they met guides the
