@@ -75,7 +75,8 @@ std::optional<Verdict> DriveSession::Judge(const VehicleSnapshot& snapshot, bool
   rollout_.distance += (place - last_place_.value_or(place)).head<2>().norm();
   last_place_ = place;
   observation.sample.s = rollout_.distance;
-  observation.sample.target_speed = driver_state_.target_speed;
+  const bool reverse = !path_.empty() && path_.stretches()[driver_state_.stretch].reverse;
+  observation.sample.target_speed = (reverse ? -1 : 1) * driver_state_.target_speed;
   observation.sample.absorbed_power = ride_.absorbed_power();
   observation.sample.vertical_acceleration = ride_.TakePeak();
   last_sample_ = observation.sample;

@@ -123,7 +123,7 @@ struct TraceSample {
   double yaw = 0;
   double pitch = 0;  ///< positive nose down
   double roll = 0;   ///< positive left side up
-  double speed = 0;
+  double speed = 0;  ///< negative in reverse, as is the next
   double target_speed = 0;
   double slip = 0;                  ///< of the driven wheel that slips most, signed
   double sinkage = 0;               ///< deepest wheel
