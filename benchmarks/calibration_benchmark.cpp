@@ -91,6 +91,7 @@ void Run(const Arguments& arguments) {
     const TrafficabilityLayer layer(*site.terrain, *vehicle, options.max_speed);
     const Eigen::Vector2d extent = layer.max_corner() - layer.min_corner();
     for (int i = 0; i < arguments.queries; ++i) {
+      options.seed += 10'000;  // draws of its own: the same luck in all queries would tell nothing
       PlanRequest request;
       request.start = layer.min_corner() + (0.3 + 0.4 * uniform()) * extent;
       const double heading = 6.283185307179586 * uniform();
