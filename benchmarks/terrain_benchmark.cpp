@@ -204,7 +204,8 @@ void Rollout(benchmark::State& state) {
   const Path path({{8, 8}, {50, 50}});
   double simulated = 0;
   for ([[maybe_unused]] auto _ : state) {
-    simulated += DrivePath(terrain, *vehicle, path, path.Position(0), path.VehicleHeading(0), {}).time;
+    simulated +=
+        DrivePath(terrain, *vehicle, path, path.Position(0), path.VehicleHeading(0), {}).time;
   }
   state.counters["real_time_factor"] = benchmark::Counter(simulated, benchmark::Counter::kIsRate);
 }

@@ -110,6 +110,10 @@ bool Driver::OnLastStretch(const DriverState& state) const {
   return state.stretch + 1 == path_.stretches().size();
 }
 
+double Driver::SpeedAlongPath(const DriverView& view, const DriverState& state) const {
+  return Stretch(state).reverse ? -view.speed : view.speed;
+}
+
 /// Standing at the end of a stretch, goes on with the next.
 void Driver::ChangeDirection(const DriverView& view, DriverState& state) const {
   const bool stands = state.target_speed <= 0 && std::abs(view.speed) < kStandstill;
@@ -121,11 +125,10 @@ void Driver::ChangeDirection(const DriverView& view, DriverState& state) const {
 
 double Driver::TargetSpeed(const DriverView& view, double dt, DriverState& state) const {
   const PathStretch& stretch = Stretch(state);
-  const double direction = stretch.reverse ? -1 : 1;
-  const double ahead = std::min(state.arc_length + 0.3 * direction * view.speed, stretch.end);
+  const double ahead = std::min(state.arc_length + 0.3 * SpeedAlongPath(view, state), stretch.end);
   const double allowed = std::min(SpeedLimit(ahead), view.speed_limit);
   GoingView going = view.going;
-  going.climb *= direction;
+  if (stretch.reverse) going.climb = -going.climb;
   const double limit = CarefulSpeed(options_.care, vehicle_.limits, going, allowed, dt, state.care);
   if (OnLastStretch(state) && !options_.stop_at_end) return limit;
   const double left = stretch.end - state.arc_length;
@@ -136,7 +139,7 @@ double Driver::TargetSpeed(const DriverView& view, double dt, DriverState& state
 /// lies behind, and the same arc leads there.
 double Driver::Steer(const DriverView& view, DriverState& state) const {
   const PathStretch& stretch = Stretch(state);
-  const double speed = stretch.reverse ? -view.speed : view.speed;
+  const double speed = SpeedAlongPath(view, state);
   const double window = 2.0 + 2 * std::abs(speed);
   state.arc_length = path_.NearestArcLength(view.position, state.arc_length,
                                             std::min(state.arc_length + window, stretch.end));
@@ -154,7 +157,7 @@ DriverCommand Driver::Update(const DriverView& view, double dt, DriverState& sta
   command.steer = Steer(view, state);
   command.reverse = Stretch(state).reverse;
   state.target_speed = TargetSpeed(view, dt, state);
-  const double error = state.target_speed - (command.reverse ? -view.speed : view.speed);
+  const double error = state.target_speed - SpeedAlongPath(view, state);
   const double gain = options_.speed_gain * torque_per_acceleration_;
   const double integral_gain = options_.integral_gain * torque_per_acceleration_;
   state.integral = std::clamp(state.integral + integral_gain * error * dt, -10 * gain, 10 * gain);

@@ -206,6 +206,11 @@ void CandidateSearch::SearchNarrowWays() {
   query_.guides.insert(query_.guides.end(), narrow_way_.begin(), narrow_way_.end());
 }
 
+OmplQuery CandidateSearch::QueryForOmpl(bool reversing) const {
+  return {turning_radius_,   query_.starts,     query_.goals,
+          query_.min_corner, query_.max_corner, reversing};
+}
+
 CandidateSearch::Wave CandidateSearch::NextWave(int wave, int missing) const {
   const int count = Share(kSurplus, missing);
   Wave next;
@@ -224,8 +229,7 @@ CandidateSearch::Wave CandidateSearch::NextWave(int wave, int missing) const {
 std::vector<RouteDraft> CandidateSearch::Generate(const Wave& wave) {
   const int sampled = wave.rrt_connect + wave.abit_star;
   std::vector<RouteDraft> drafts(wave.roadmap + sampled);
-  const OmplQuery ompl_query{turning_radius_, query_.starts, query_.goals, query_.min_corner,
-                             query_.max_corner};
+  const OmplQuery ompl_query = QueryForOmpl(false);
   const std::uint64_t first_stream = streams_used_;
   streams_used_ += drafts.size();
   const auto search_roadmap = [&] {
@@ -266,8 +270,7 @@ RouteDraft CandidateSearch::NarrowDraft() {
 std::vector<RouteDraft> CandidateSearch::ReversingDrafts() {
   LatticeOptions lattice;
   lattice.reversing = true;
-  const OmplQuery ompl_query{turning_radius_,   query_.starts,     query_.goals,
-                             query_.min_corner, query_.max_corner, true};
+  const OmplQuery ompl_query = QueryForOmpl(true);
   const std::uint64_t first_stream = streams_used_;
   const int count = roadmap_ == nullptr ? kReversingDraftsAlone : kReversingDrafts;
   streams_used_ += count;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <dbd/planner/candidate_sampler.h>
+#include <dbd/planner/ompl_planners.h>
 #include <dbd/planner/plan_types.h>
 #include <dbd/planner/roadmap.h>
 #include <dbd/planner/trafficability.h>
@@ -38,9 +39,9 @@ class CandidateSearch {
   void SearchNarrowWays();
   // Routes that change direction, from a lattice and from RRTConnect.
   std::vector<RouteDraft> ReversingDrafts();
+  OmplQuery QueryForOmpl(bool reversing) const;
   Wave NextWave(int wave, int missing) const;
-  // Offers each source's quota first, then what was made on top.
-  // Leaves so many places free.
+  // Offers each source's quota first, then what was made on top. Leaves so many places free.
   void OfferAll(std::vector<RouteDraft> drafts, CandidatePool* pool, int places_to_keep) const;
   // Where smoothing makes many routes one, the routes as they were found are variants of it.
   void ReserveUnsmoothed(RouteDraft* draft, CandidatePool* pool) const;

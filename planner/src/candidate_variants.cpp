@@ -202,12 +202,9 @@ std::vector<Candidate> VaryBest(const TrafficabilityLayer& layer, const VehicleM
     std::optional<Candidate> variant;
     if (slowed.insert(parent).second) variant = variation.Slower();
     // The places where the direction changes hang together: such a route keeps its shape.
-    if (driven.candidates[parent].path.reverse_length() > 0) {
-      if (variant) variants.push_back(std::move(*variant));
-      continue;
-    }
-    if (!variant && i % 4 == 1) variant = variation.Smoothed(random.Next());
-    if (!variant) variant = variation.Bend(random);
+    const bool keeps_shape = driven.candidates[parent].path.reverse_length() > 0;
+    if (!variant && !keeps_shape && i % 4 == 1) variant = variation.Smoothed(random.Next());
+    if (!variant && !keeps_shape) variant = variation.Bend(random);
     if (variant) variants.push_back(std::move(*variant));
   }
   return variants;

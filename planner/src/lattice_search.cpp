@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <queue>
 #include <unordered_set>
 #include <utility>
@@ -41,9 +42,8 @@ class Lattice {
       : layer_(layer),
         radius_(radius),
         query_(query),
-        reversing_(reversing),
-        reeds_shepp_(radius, query.min_corner, query.max_corner),
         field_(layer, query.goals.front().position(), query.min_corner, query.max_corner, stop) {
+    if (reversing) reeds_shepp_.emplace(radius, query.min_corner, query.max_corner);
     for (const Pose2& start : query.starts) Meet(start, -1, 0);
   }
 
@@ -75,7 +75,7 @@ class Lattice {
     const Node from = nodes_[static_cast<std::size_t>(at)];
     for (const Turn turn : {Turn::kStraight, Turn::kLeft, Turn::kRight}) {
       GoOn(at, from, turn, false);
-      if (reversing_) GoOn(at, from, turn, true);
+      if (reeds_shepp_) GoOn(at, from, turn, true);
     }
   }
 
@@ -107,8 +107,8 @@ class Lattice {
   /// Waypoints after `pose`; none when no curve is go.
   std::vector<Pose2> CheapestEnd(const Pose2& pose, const Pose2& goal) const {
     const double forward = WaypointsCost(layer_, pose, {goal}, radius_);
-    if (reversing_) {
-      std::vector<Pose2> pieces = reeds_shepp_.Waypoints(pose, goal);
+    if (reeds_shepp_) {
+      std::vector<Pose2> pieces = reeds_shepp_->Waypoints(pose, goal);
       if (WaypointsCost(layer_, pose, pieces, radius_) < forward) return pieces;
     }
     return std::isfinite(forward) ? std::vector<Pose2>{goal} : std::vector<Pose2>{};
@@ -135,8 +135,7 @@ class Lattice {
   const TrafficabilityLayer& layer_;
   double radius_;
   const RoadmapQuery& query_;
-  bool reversing_;
-  ReedsSheppSpace reeds_shepp_;
+  std::optional<ReedsSheppSpace> reeds_shepp_;  // none: forward only
   CostToGoField field_;
   std::vector<Node> nodes_;
   using Entry = std::pair<double, int>;  // cost of the way through it, index; ties by index

@@ -79,18 +79,19 @@ std::shared_ptr<ob::Planner> MakePlanner(OmplPlanner planner, const ob::SpaceInf
   return std::make_shared<og::ABITstar>(si);
 }
 
-std::vector<Pose2> Waypoints(const ob::ProblemDefinition& problem, const OmplQuery& query) {
-  std::vector<Pose2> waypoints;
+std::vector<Pose2> Waypoints(const ob::ProblemDefinition& problem, bool reversing) {
   const auto path = std::dynamic_pointer_cast<og::PathGeometric>(problem.getSolutionPath());
-  if (path == nullptr) return waypoints;
-  const ReedsSheppSpace reversing(query.turning_radius, query.min_corner, query.max_corner);
-  for (const ob::State* state : path->getStates()) {
-    const Pose2 pose = ToPose(state);
-    if (waypoints.empty() || !query.reversing) {
-      waypoints.push_back(pose);
+  if (path == nullptr) return {};
+  const ob::StateSpace& space = *problem.getSpaceInformation()->getStateSpace();
+  const std::vector<ob::State*>& states = path->getStates();
+  std::vector<Pose2> waypoints{ToPose(states.front())};
+  for (std::size_t i = 1; i < states.size(); ++i) {
+    if (!reversing) {
+      waypoints.push_back(ToPose(states[i]));
       continue;
     }
-    const std::vector<Pose2> pieces = reversing.Waypoints(waypoints.back(), pose);
+    const std::vector<Pose2> pieces =
+        space.as<ReedsSheppSpace>()->Waypoints(states[i - 1], states[i]);
     waypoints.insert(waypoints.end(), pieces.begin(), pieces.end());
   }
   return waypoints;
@@ -121,7 +122,7 @@ std::vector<Pose2> SolveWithOmpl(OmplPlanner planner, const TrafficabilityLayer&
   ThrowIfStopped(stop);
   if (status != ob::PlannerStatus::EXACT_SOLUTION) return {};
   // Not every planner of OMPL 1.5 respects that a Dubins curve has a direction.
-  const std::vector<Pose2> waypoints = Waypoints(*problem, query);
+  const std::vector<Pose2> waypoints = Waypoints(*problem, query.reversing);
   if (!AllGo(layer, DensePoses(waypoints, query.turning_radius))) return {};
   return waypoints;
 }

@@ -79,6 +79,7 @@ class Driver {
  private:
   const PathStretch& Stretch(const DriverState& state) const;
   bool OnLastStretch(const DriverState& state) const;
+  double SpeedAlongPath(const DriverView& view, const DriverState& state) const;
   void ChangeDirection(const DriverView& view, DriverState& state) const;
   double Steer(const DriverView& view, DriverState& state) const;
   double TargetSpeed(const DriverView& view, double dt, DriverState& state) const;
