@@ -31,70 +31,101 @@ Pose2 Advance(const Pose2& from, Turn turn, double length) {
 using Word = std::array<Turn, 3>;
 using Lengths = std::array<double, 3>;
 
-// From (0, 0, alpha) to (d, 0, beta) with unit radius: the frame of Shkel and Lumelsky.
+// From (0, 0, a) to (x, y, b) with unit radius.
 struct Problem {
-  Problem(double d_in, double alpha_in, double beta_in)
-      : d(d_in),
-        alpha(alpha_in),
-        beta(beta_in),
-        sa(std::sin(alpha)),
-        ca(std::cos(alpha)),
-        sb(std::sin(beta)),
-        cb(std::cos(beta)) {}
+  Problem(const Pose2& from, const Pose2& to, double radius)
+      : a(from.heading),
+        b(to.heading),
+        x((to.x - from.x) / radius),
+        y((to.y - from.y) / radius),
+        sa(std::sin(a)),
+        ca(std::cos(a)),
+        sb(std::sin(b)),
+        cb(std::cos(b)),
+        left_turn(PositiveAngle(b - a)) {}
 
-  // Tries every word; the shortest is in `word` and `best` afterwards.
+  // The shortest word is in `word` and `best` afterwards. Words go by what they take at least: the
+  // line, and turns that make up for the change of heading. That needs no angle, and most words
+  // are longer than the first.
   void Solve() {
-    TrySameTurns(Turn::kLeft);
-    TrySameTurns(Turn::kRight);
-    TryOppositeTurns(Turn::kLeft);
-    TryOppositeTurns(Turn::kRight);
+    std::array<Line, 4> lines{SameTurns(Turn::kLeft), SameTurns(Turn::kRight),
+                              OppositeTurns(Turn::kLeft), OppositeTurns(Turn::kRight)};
+    std::sort(lines.begin(), lines.end(),
+              [](const Line& p, const Line& q) { return p.at_least < q.at_least; });
+    for (const Line& line : lines) {
+      if (line.at_least < shortest) Try(line);
+    }
+    if (shortest <= std::numbers::pi) return;  // what the middle one of three turns takes at least
     TryThreeTurns(Turn::kLeft);
     TryThreeTurns(Turn::kRight);
   }
 
-  double d, alpha, beta, sa, ca, sb, cb;
+  double a, b, x, y, sa, ca, sb, cb;
+  double left_turn;  // to the left, from heading to heading
   Word word{Turn::kLeft, Turn::kStraight, Turn::kLeft};
   Lengths best{};
   double shortest = std::numeric_limits<double>::infinity();
 
  private:
-  // A right-handed word is the left-handed one of the mirrored problem: angles change sign.
-  void TrySameTurns(Turn turn) {
+  // A line between two circles.
+  struct Line {
+    Turn first, last;
+    double dx, dy;  // of the circles' centres
+    double length;
+    double at_least;  // of the whole curve
+  };
+
+  Line SameTurns(Turn turn) const {
     const double sign = static_cast<double>(turn);
-    const double x = d + sign * (sa - sb);
-    const double y = cb - ca;
-    const double theta = std::atan2(y, x);
-    const Lengths lengths{PositiveAngle(theta - sign * alpha), std::hypot(x, y),
-                          PositiveAngle(sign * beta - theta)};
-    Offer({turn, Turn::kStraight, turn}, lengths);
-    // The direction of a line of no length is noise, and so is the split between the turns.
-    if (lengths[1] < kEndTolerance) {
-      OfferIfMet({turn, Turn::kStraight, turn}, {PositiveAngle(sign * (beta - alpha)), 0, 0});
-    }
+    const double dx = x + sign * (sa - sb);
+    const double dy = y + sign * (cb - ca);
+    const double length = std::sqrt(dx * dx + dy * dy);
+    const double turned = turn == Turn::kLeft ? left_turn : kFullTurn - left_turn;
+    const bool may_be_none = turned > kFullTurn - 3 * kNearlyFull;
+    return {turn, turn, dx, dy, length, may_be_none ? length : length + turned};
   }
 
-  void TryOppositeTurns(Turn first) {
+  Line OppositeTurns(Turn first) const {
     const double sign = static_cast<double>(first);
-    const double x = d + sign * (sa + sb);
-    const double y = -(ca + cb);
-    const double straight_squared = x * x + y * y - 4.0;
-    if (straight_squared < -1e-12) return;
-    const double straight = std::sqrt(std::max(straight_squared, 0.0));
-    const double theta = std::atan2(y, x) - std::atan2(-2.0, straight);
-    Offer({first, Turn::kStraight, Mirror(first)},
-          {PositiveAngle(theta - sign * alpha), straight, PositiveAngle(theta - sign * beta)});
+    const double dx = x + sign * (sa + sb);
+    const double dy = y - sign * (ca + cb);
+    const double squared = dx * dx + dy * dy - 4.0;
+    const Turn last = Mirror(first);
+    constexpr double kNone = std::numeric_limits<double>::infinity();
+    if (squared < -1e-12) return {first, last, dx, dy, 0, kNone};
+    const double length = std::sqrt(std::max(squared, 0.0));
+    const double turned = std::min(left_turn, kFullTurn - left_turn);
+    return {first, last, dx, dy, length, length + std::max(0.0, turned - 3 * kNearlyFull)};
+  }
+
+  void Try(const Line& line) {
+    const double sign = static_cast<double>(line.first);
+    if (line.first != line.last) {
+      const double tilt = 2 * sign;
+      const double theta = std::atan2(line.dy * line.length + line.dx * tilt,
+                                      line.dx * line.length - line.dy * tilt);
+      Offer({line.first, Turn::kStraight, line.last},
+            {PositiveAngle(sign * (theta - a)), line.length, PositiveAngle(sign * (theta - b))});
+      return;
+    }
+    const double theta = std::atan2(line.dy, line.dx);
+    const Word same{line.first, Turn::kStraight, line.first};
+    Offer(same,
+          {PositiveAngle(sign * (theta - a)), line.length, PositiveAngle(sign * (b - theta))});
+    // The direction of a line of no length is noise, and so is the split between the turns.
+    if (line.length < kEndTolerance) OfferIfMet(same, {PositiveAngle(sign * (b - a)), 0, 0});
   }
 
   void TryThreeTurns(Turn first) {
+    const Line line = SameTurns(first);
     const double sign = static_cast<double>(first);
-    const double x = d + sign * (sa - sb);
-    const double y = cb - ca;
-    const double cosine = 1.0 - (x * x + y * y) / 8.0;
+    const double cosine = 1.0 - (line.dx * line.dx + line.dy * line.dy) / 8.0;
     if (cosine < -1.0) return;
     const double middle = kFullTurn - std::acos(std::min(cosine, 1.0));
-    const double t = PositiveAngle(std::atan2(y, x) - sign * alpha + 0.5 * middle);
-    Offer({first, Mirror(first), first},
-          {t, middle, PositiveAngle(sign * (beta - alpha) - t + middle)});
+    if (middle >= shortest) return;
+    const double theta = std::atan2(line.dy, line.dx);
+    const double t = PositiveAngle(sign * (theta - a) + 0.5 * middle);
+    Offer({first, Mirror(first), first}, {t, middle, PositiveAngle(sign * (b - a) - t + middle)});
   }
 
   static Turn Mirror(Turn turn) { return turn == Turn::kLeft ? Turn::kRight : Turn::kLeft; }
@@ -115,14 +146,14 @@ struct Problem {
   // What piece `piece` must turn when the other outer piece is left out.
   double TurnLeft(const Word& candidate, int piece, double middle) const {
     const double turned = static_cast<double>(candidate[1]) * middle;
-    return PositiveAngle(static_cast<double>(candidate[piece]) * (beta - alpha - turned));
+    return PositiveAngle(static_cast<double>(candidate[piece]) * (b - a - turned));
   }
 
   void OfferIfMet(const Word& candidate, const Lengths& lengths) {
     if (lengths[0] + lengths[1] + lengths[2] >= shortest) return;
-    Pose2 end{0.0, 0.0, alpha};
+    Pose2 end{0.0, 0.0, a};
     for (int i = 0; i < 3; ++i) end = Advance(end, candidate[i], lengths[i]);
-    const double miss = std::hypot(end.x - d, end.y) + std::abs(WrapAngle(end.heading - beta));
+    const double miss = std::hypot(end.x - x, end.y - y) + std::abs(WrapAngle(end.heading - b));
     if (miss < kEndTolerance) Keep(candidate, lengths);
   }
 
@@ -141,10 +172,7 @@ Pose2 TurnedRound(Pose2 pose) {
 }
 
 DubinsCurve ShortestForwardCurve(const Pose2& from, const Pose2& to, double radius) {
-  const double dx = to.x - from.x;
-  const double dy = to.y - from.y;
-  const double direction = std::atan2(dy, dx);
-  Problem problem(std::hypot(dx, dy) / radius, from.heading - direction, to.heading - direction);
+  Problem problem(from, to, radius);
   problem.Solve();
   DubinsCurve curve;
   curve.turns = problem.word;

@@ -1,14 +1,20 @@
 #include "dubins_space.h"
 
+#include <functional>
+
 #include "ompl_pose.h"
 
 namespace dbd {
 
 namespace ob = ompl::base;
 
+namespace {
+constexpr std::size_t kKnownDistances = 4096;  // more than a planner compares with one state
+}
+
 DubinsSpace::DubinsSpace(double turning_radius, const Eigen::Vector2d& min_corner,
                          const Eigen::Vector2d& max_corner)
-    : ob::DubinsStateSpace(turning_radius) {
+    : ob::DubinsStateSpace(turning_radius), known_(kKnownDistances) {
   setBounds(Rectangle(min_corner, max_corner));
 }
 
@@ -17,7 +23,13 @@ DubinsCurve DubinsSpace::Curve(const ob::State* from, const ob::State* to) const
 }
 
 double DubinsSpace::distance(const ob::State* from, const ob::State* to) const {
-  return Curve(from, to).length();
+  const Pose2 a = ToPose(from), b = ToPose(to);
+  // States stay where they are, so that their addresses tell most of them apart.
+  const std::hash<const ob::State*> hash;
+  KnownDistance& known = known_[(hash(from) / sizeof(double) + 31 * hash(to)) % known_.size()];
+  const std::array<double, 6> ends{a.x, a.y, a.heading, b.x, b.y, b.heading};
+  if (known.ends != ends) known = {ends, ShortestDubinsCurve(a, b, rho_).length()};
+  return known.length;
 }
 
 void DubinsSpace::interpolate(const ob::State* from, const ob::State* to, double t,
