@@ -1,5 +1,6 @@
 #include <benchmark/benchmark.h>
 #include <dbd/core/vehicle_database.h>
+#include <dbd/planner/batch_evaluation.h>
 #include <dbd/planner/drive.h>
 #include <dbd/terrain/terrain.h>
 #include <dbd/terrain/tin_surface.h>
@@ -190,16 +191,20 @@ BENCHMARK(ClearanceOfABox)
     ->ArgsProduct({{500, 200}, {kEastward, kNorthward, kScattered}})
     ->ArgNames({"mm", "where"});
 
-// A vehicle driven across, on a raster (argument: cell size [mm]) or on a TIN (negative: its
-// triangles' width), with obstacles to pass under (cell size [mm]) or without (0). The rate is
-// simulated seconds per second: the real-time factor.
+// The ground of a drive: a raster (cell size [mm]) or a TIN (negative: its triangles' width), with
+// obstacles to pass under (cell size [mm]) or without (0).
+Terrain MakeDriveTerrain(std::int64_t millimetres, std::int64_t obstacles_millimetres) {
+  const double size = 1e-3 * static_cast<double>(std::abs(millimetres));
+  const double obstacles = 1e-3 * static_cast<double>(obstacles_millimetres);
+  Terrain terrain(LocalFrame("", Eigen::Vector2d::Zero()), MakeRaster(millimetres > 0 ? size : 0.5),
+                  MaterialMap(Material()), obstacles > 0 ? MakeBranches(obstacles) : ObstacleMap());
+  if (millimetres < 0) terrain.set_tin(std::make_shared<const TinSurface>(MakeTin(size)));
+  return terrain;
+}
+
+// A vehicle driven across. The rate is simulated seconds per second: the real-time factor.
 void Rollout(benchmark::State& state) {
-  const double size = 1e-3 * static_cast<double>(std::abs(state.range(0)));
-  const double obstacles = 1e-3 * static_cast<double>(state.range(1));
-  Terrain terrain(LocalFrame("", Eigen::Vector2d::Zero()),
-                  MakeRaster(state.range(0) > 0 ? size : 0.5), MaterialMap(Material()),
-                  obstacles > 0 ? MakeBranches(obstacles) : ObstacleMap());
-  if (state.range(0) < 0) terrain.set_tin(std::make_shared<const TinSurface>(MakeTin(size)));
+  const Terrain terrain = MakeDriveTerrain(state.range(0), state.range(1));
   const auto vehicle = LoadVehicle("tomcar-tm27");
   const Path path({{8, 8}, {50, 50}});
   double simulated = 0;
@@ -213,6 +218,27 @@ BENCHMARK(Rollout)
     ->ArgsProduct({{1000, 100, 20, -1000, -100}, {0}})
     ->ArgsProduct({{1000}, {500, 200}})
     ->ArgNames({"mm", "obstacles_mm"});
+
+// 32 vehicles across, in the processor's widest lanes, on one thread.
+void RolloutsInLanes(benchmark::State& state) {
+  const Terrain terrain = MakeDriveTerrain(state.range(0), 0);
+  const auto vehicle = LoadVehicle("tomcar-tm27");
+  std::vector<Candidate> candidates;
+  for (int i = 0; i < 32; ++i) {
+    candidates.emplace_back();
+    candidates.back().path = Path({{8 + 0.2 * i, 8}, {50 + 0.2 * i, 50}});
+  }
+  PlanOptions options;
+  options.threads = 1;
+  double simulated = 0;
+  for ([[maybe_unused]] auto _ : state) {
+    for (const auto& rollout : EvaluateRollouts(terrain, *vehicle, candidates, options, {}, {})) {
+      simulated += rollout.time;
+    }
+  }
+  state.counters["real_time_factor"] = benchmark::Counter(simulated, benchmark::Counter::kIsRate);
+}
+BENCHMARK(RolloutsInLanes)->Arg(1000)->Arg(100)->Arg(-1000)->Arg(-100)->ArgName("mm");
 
 }  // namespace
 }  // namespace dbd

@@ -34,6 +34,7 @@
 #include "attachment_points.h"
 #include "corners.h"
 #include "engine_model.h"
+#include "facet_search.h"
 #include "tire_pattern.h"
 
 // GCC alone lets a pragma choose the instruction set of templates; without optimisation GCC 12

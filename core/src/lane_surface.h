@@ -3,7 +3,10 @@
 #include <dbd/core/ground.h>
 
 #include <array>
+#include <optional>
+#include <vector>
 
+#include "lane_facets.h"
 #include "lane_grid.h"
 
 namespace dbd {
@@ -16,7 +19,9 @@ class LaneSurface {
   static constexpr int kLanes = LaneTraits<Real>::kLanes;
   using S = ScalarOf<Real>;
 
-  explicit LaneSurface(const Ground& ground) : ground_(ground), grid_(ground.Grid()) {
+  explicit LaneSurface(const Ground& ground)
+      : ground_(ground), grid_(ground.Grid()), facets_(ground.Facets()) {
+    if (facets_) wheel_facets_.resize(kMaxWheels);
     origins_.fill(Eigen::Vector3d::Zero());
     for (int lane = 0; lane < kLanes; ++lane) SetOrigin(lane, Eigen::Vector3d::Zero());
   }
@@ -25,6 +30,7 @@ class LaneSurface {
   void SetOrigin(int lane, const Eigen::Vector3d& origin) {
     origins_[lane] = origin;
     if (grid_) lane_grid_.SetOrigin(*grid_, lane, origin);
+    for (LaneFacets<Real>& facets : wheel_facets_) facets.Forget(lane);
   }
 
   void Heights(int count, const Real* x, const Real* y, Real* z) const {
@@ -32,11 +38,7 @@ class LaneSurface {
       for (int i = 0; i < count; ++i) z[i] = lane_grid_.Height(*grid_, x[i], y[i]);
       return;
     }
-    for (int i = 0; i < count; ++i) {
-      z[i] = AskGround(x[i], y[i], [this](const double* wx, const double* wy, double* wz) {
-        ground_.Heights(kLanes, wx, wy, wz);
-      });
-    }
+    for (int i = 0; i < count; ++i) z[i] = AskForHeight(x[i], y[i]);
   }
 
   void HighestWithin(double radius, int count, const Real* x, const Real* y, Real* z) const {
@@ -53,6 +55,33 @@ class LaneSurface {
   std::optional<LanePatch<Real>> Patch(double radius, const Real& x, const Real& y) const {
     if (!grid_ || !LaneGrid<Real>::CellsHold(*grid_, radius)) return std::nullopt;
     return lane_grid_.Patch(*grid_, x, y);
+  }
+
+  /// Heights around a wheel, on triangles.
+  struct FacetPatch {
+    void Heights(int count, const Real* x, const Real* y, Real* z) const {
+      for (int i = 0; i < count; ++i) {
+        z[i] = facets.LowestAt(x[i], y[i]);
+        const auto unknown = z[i] > Real(LaneFacets<Real>::kNoHeight);
+        if (AnyOf(unknown)) z[i] = Select(unknown, surface.AskForHeight(x[i], y[i]), z[i]);
+      }
+    }
+
+    const LaneSurface& surface;
+    const LaneFacets<Real>& facets;
+    GroundPlane<Real> plane;  // that they are nowhere above
+  };
+
+  /// Those within `radius` of each lane's place, if triangles are so large that they are few.
+  /// `wheel`: whose place it is; its triangles are remembered.
+  std::optional<FacetPatch> Facets(std::size_t wheel, double radius, const Real& x,
+                                   const Real& y) const {
+    if (!facets_ || radius > facets_->bin_size) return std::nullopt;
+    LaneFacets<Real>& lanes = wheel_facets_[wheel];
+    lanes.Update(x, y, [&](int lane, FacetsNear* near, LinearFunction<double>* bound) {
+      FindFacets(radius, lane, x.v[lane], y.v[lane], near, bound);
+    });
+    return FacetPatch{*this, lanes, lanes.Plane(x, y)};
   }
 
   /// kLanes soils for each of `count` packs of places.
@@ -75,6 +104,28 @@ class LaneSurface {
     }
   }
 
+  void FindFacets(double radius, int lane, S x, S y, FacetsNear* near,
+                  LinearFunction<double>* bound) const {
+    const Eigen::Vector3d& origin = origins_[lane];
+    const double wx = origin.x() + static_cast<double>(x), wy = origin.y() + static_cast<double>(y);
+    const double reach = LaneFacets<Real>::Reach(radius);
+    FindFacetsNear(*facets_, reach, wx, wy, near);
+    const double base_height = facets_->base_height - origin.z();
+    for (int i = 0; i < near->count; ++i) near->facets[i].height.c += base_height;
+    *bound = near->bound;
+    bound->c += base_height;
+    if (near->whole) return;
+    *bound = {};
+    ground_.HighestWithin(reach, 1, &wx, &wy, &bound->c);
+    bound->c -= origin.z();
+  }
+
+  Real AskForHeight(const Real& x, const Real& y) const {
+    return AskGround(x, y, [this](const double* wx, const double* wy, double* wz) {
+      ground_.Heights(kLanes, wx, wy, wz);
+    });
+  }
+
   template <class Query>
   Real AskGround(const Real& x, const Real& y, const Query& query) const {
     double wx[kLanes], wy[kLanes], wz[kLanes];
@@ -87,8 +138,10 @@ class LaneSurface {
 
   const Ground& ground_;
   std::optional<GroundGrid> grid_;
+  std::optional<GroundFacets> facets_;
   std::array<Eigen::Vector3d, kLanes> origins_;
   LaneGrid<Real> lane_grid_;
+  mutable std::vector<LaneFacets<Real>> wheel_facets_;  // a surface belongs to one pack
 };
 
 }  // namespace dbd

@@ -254,16 +254,23 @@ void SampleContactOn(const Pattern& pattern, const Shape& shape, const GroundPla
   SetContactSoil(pattern, ground, touching, contact);
 }
 
-/// Samples the ground under a wheel whose hub is at p_WH with spin axis y_W (left).
+/// Samples the ground under a wheel whose hub is at p_WH with spin axis y_W (left). Some grounds
+/// remember what lay around each `wheel`.
 template <class Real, class Pattern, class Surface>
 void SampleContact(const Pattern& pattern, const Surface& ground, const Vec3<Real>& p_WH,
-                   const Vec3<Real>& y_W, TireContact<Real>& contact) {
+                   const Vec3<Real>& y_W, TireContact<Real>& contact, std::size_t wheel = 0) {
   const Mat3<Real> R_WT = TireFrame(y_W);
   contact.p_WH = p_WH;
   contact.deflection = Real(0);
   if constexpr (requires { ground.Patch(pattern.reach, p_WH.x, p_WH.y); }) {
     if (const auto patch = ground.Patch(pattern.reach, p_WH.x, p_WH.y)) {
       SampleContactOn(pattern, *patch, patch->Plane(p_WH.x, p_WH.y), ground, R_WT, contact);
+      return;
+    }
+  }
+  if constexpr (requires { ground.Facets(wheel, pattern.reach, p_WH.x, p_WH.y); }) {
+    if (const auto facets = ground.Facets(wheel, pattern.reach, p_WH.x, p_WH.y)) {
+      SampleContactOn(pattern, *facets, facets->plane, ground, R_WT, contact);
       return;
     }
   }

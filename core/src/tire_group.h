@@ -30,7 +30,7 @@ void SampleContacts(const Engine& engine, const Surface& ground,
     const auto& wheel = wheels[i];
     const auto hub = LocateHub(wheel, work.R_WB[wheel.body], controls.steer_sine[i]);
     SampleContact(engine.patterns[i], ground, state.bodies[wheel.body].p_WB + hub.lever, hub.y_W,
-                  state.wheels[i].contact);
+                  state.wheels[i].contact, i);
   }
 }
 

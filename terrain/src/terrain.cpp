@@ -37,6 +37,11 @@ std::optional<GroundGrid> Terrain::Grid() const {
   return heights_.View();
 }
 
+std::optional<GroundFacets> Terrain::Facets() const {
+  if (!tin_) return std::nullopt;
+  return tin_->View();
+}
+
 bool Terrain::IsKnown(double x, double y) const {
   double z = 0;
   return tin_ ? tin_->FindHeight(x, y, &z) : heights_.IsKnown(x, y);

@@ -21,9 +21,6 @@ double TwiceArea(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen
 // Smaller than this is a wall or a sliver [m^2].
 constexpr double kLeastTwiceArea = 1e-8;
 
-// A place counts as inside up to this far beyond an edge, so that seams have no gaps [m].
-constexpr float kSeam = 1e-4F;
-
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
 // Edges that belong to one triangle only.
@@ -60,6 +57,26 @@ std::size_t CountConnected(const std::vector<Edge>& edges) {
       parent.begin(), parent.end(), [](const auto& entry) { return entry.first == entry.second; }));
 }
 
+LinearFunction<float> Function(const Eigen::Vector2d& gradient, double constant) {
+  return {static_cast<float>(gradient.x()), static_cast<float>(gradient.y()),
+          static_cast<float>(constant)};
+}
+
+// Of counter-clockwise corners.
+GroundFacet MakeFacet(const std::array<Eigen::Vector3d, 3>& p, std::uint32_t triangle) {
+  GroundFacet facet;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Eigen::Vector2d d = (p[(k + 1) % 3] - p[k]).head<2>();
+    const Eigen::Vector2d inward = Eigen::Vector2d(-d.y(), d.x()).normalized();
+    facet.edges[k] = Function(inward, -inward.dot(p[k].head<2>()));
+  }
+  const Eigen::Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]);
+  const Eigen::Vector2d gradient = -normal.head<2>() / normal.z();
+  facet.height = Function(gradient, p[0].z() - gradient.dot(p[0].head<2>()));
+  facet.triangle = triangle;
+  return facet;
+}
+
 }  // namespace
 
 TinSurface::TinSurface(std::vector<Eigen::Vector3d> vertices, std::vector<Triangle> triangles) {
@@ -73,17 +90,16 @@ TinSurface::TinSurface(std::vector<Eigen::Vector3d> vertices, std::vector<Triang
   for (Triangle& t : triangles) {
     if (TwiceArea(vertices[t[0]], vertices[t[1]], vertices[t[2]]) < 0) std::swap(t[1], t[2]);
   }
-  const std::vector<Facet> facets = MakeFacets(vertices, triangles);
+  Measure(vertices, triangles);
   const std::vector<std::uint32_t> in_bins = MakeBins(vertices, triangles);
   FindHighest(vertices, triangles, in_bins);
-  bin_facets_.reserve(in_bins.size());
-  for (const std::uint32_t i : in_bins) bin_facets_.push_back(facets[i]);
-  CountRims(triangles);
+  FillBins(vertices, triangles, in_bins);
+  FindRims(vertices, triangles);
   SampleOverlaps();
 }
 
-std::vector<TinSurface::Facet> TinSurface::MakeFacets(const std::vector<Eigen::Vector3d>& vertices,
-                                                      const std::vector<Triangle>& triangles) {
+void TinSurface::Measure(const std::vector<Eigen::Vector3d>& vertices,
+                         const std::vector<Triangle>& triangles) {
   Eigen::Vector3d low = vertices[triangles[0][0]];
   Eigen::Vector3d high = low;
   double area = 0;
@@ -99,29 +115,25 @@ std::vector<TinSurface::Facet> TinSurface::MakeFacets(const std::vector<Eigen::V
   base_height_ = std::round(low.z());
   // In a mesh of n triangles there are about n / 2 vertices.
   spacing_ = std::sqrt(2 * area / static_cast<double>(triangles.size()));
-  const Eigen::Vector3d origin(low.x(), low.y(), base_height_);
-  std::vector<Facet> facets;
-  facets.reserve(triangles.size());
-  for (const Triangle& t : triangles) {
-    facets.push_back(
-        MakeFacet({vertices[t[0]] - origin, vertices[t[1]] - origin, vertices[t[2]] - origin}));
-  }
-  return facets;
 }
 
-TinSurface::Facet TinSurface::MakeFacet(const std::array<Eigen::Vector3d, 3>& p) {
-  Facet facet;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Eigen::Vector2d d = (p[(k + 1) % 3] - p[k]).head<2>();
-    const Eigen::Vector2d inward = Eigen::Vector2d(-d.y(), d.x()).normalized();
-    facet.edges[k] =
-        Eigen::Vector3d(inward.x(), inward.y(), -inward.dot(p[k].head<2>())).cast<float>();
+template <class Visit>
+void TinSurface::VisitBins(std::initializer_list<Eigen::Vector3d> places,
+                           const Visit& visit) const {
+  Eigen::Array2d low = Eigen::Array2d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Array2d high = -low;
+  for (const Eigen::Vector3d& p : places) {
+    const Eigen::Array2d place = (p.head<2>() - low_).array();
+    low = low.min((place - double{kFacetSeam}) / bin_size_);
+    high = high.max((place + double{kFacetSeam}) / bin_size_);
   }
-  const Eigen::Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]);
-  const Eigen::Vector2d gradient = -normal.head<2>() / normal.z();
-  const double offset = p[0].z() - gradient.dot(p[0].head<2>());
-  facet.plane = Eigen::Vector3d(gradient.x(), gradient.y(), offset).cast<float>();
-  return facet;
+  const int last_column = std::min(bin_columns_ - 1, static_cast<int>(high.x()));
+  const int last_row = std::min(bin_rows_ - 1, static_cast<int>(high.y()));
+  for (int row = std::max(0, static_cast<int>(low.y())); row <= last_row; ++row) {
+    for (int column = std::max(0, static_cast<int>(low.x())); column <= last_column; ++column) {
+      visit(static_cast<std::size_t>(row) * bin_columns_ + column);
+    }
+  }
 }
 
 std::vector<std::uint32_t> TinSurface::MakeBins(const std::vector<Eigen::Vector3d>& vertices,
@@ -132,21 +144,8 @@ std::vector<std::uint32_t> TinSurface::MakeBins(const std::vector<Eigen::Vector3
   bin_columns_ = static_cast<int>(size.x() / bin_size_) + 1;
   bin_rows_ = static_cast<int>(size.y() / bin_size_) + 1;
   bin_begin_.assign(static_cast<std::size_t>(bin_columns_) * bin_rows_ + 1, 0);
-  const auto for_each_bin = [&](const Triangle& t, auto visit) {
-    Eigen::Array2d low = Eigen::Array2d::Constant(std::numeric_limits<double>::infinity());
-    Eigen::Array2d high = -low;
-    for (const std::uint32_t v : t) {
-      const Eigen::Array2d place = (vertices[v].head<2>() - low_).array();
-      low = low.min((place - double{kSeam}) / bin_size_);
-      high = high.max((place + double{kSeam}) / bin_size_);
-    }
-    const int last_column = std::min(bin_columns_ - 1, static_cast<int>(high.x()));
-    const int last_row = std::min(bin_rows_ - 1, static_cast<int>(high.y()));
-    for (int row = std::max(0, static_cast<int>(low.y())); row <= last_row; ++row) {
-      for (int column = std::max(0, static_cast<int>(low.x())); column <= last_column; ++column) {
-        visit(static_cast<std::size_t>(row) * bin_columns_ + column);
-      }
-    }
+  const auto for_each_bin = [&](const Triangle& t, const auto& visit) {
+    VisitBins({vertices[t[0]], vertices[t[1]], vertices[t[2]]}, visit);
   };
   for (const Triangle& t : triangles) for_each_bin(t, [&](std::size_t b) { ++bin_begin_[b + 1]; });
   for (std::size_t b = 1; b < bin_begin_.size(); ++b) bin_begin_[b] += bin_begin_[b - 1];
@@ -157,6 +156,24 @@ std::vector<std::uint32_t> TinSurface::MakeBins(const std::vector<Eigen::Vector3
                  [&](std::size_t b) { in_bins[next[b]++] = static_cast<std::uint32_t>(i); });
   }
   return in_bins;
+}
+
+// Relative to the corner of the bin, so that floats are exact to a micrometre on any extent.
+void TinSurface::FillBins(const std::vector<Eigen::Vector3d>& vertices,
+                          const std::vector<Triangle>& triangles,
+                          const std::vector<std::uint32_t>& in_bins) {
+  bin_facets_.reserve(in_bins.size());
+  for (std::size_t b = 0; b + 1 < bin_begin_.size(); ++b) {
+    const auto column = static_cast<double>(b % static_cast<std::size_t>(bin_columns_));
+    const auto row = static_cast<double>(b / static_cast<std::size_t>(bin_columns_));
+    const Eigen::Vector3d corner(low_.x() + column * bin_size_, low_.y() + row * bin_size_,
+                                 base_height_);
+    for (std::uint32_t i = bin_begin_[b]; i < bin_begin_[b + 1]; ++i) {
+      const Triangle& t = triangles[in_bins[i]];
+      bin_facets_.push_back(MakeFacet(
+          {vertices[t[0]] - corner, vertices[t[1]] - corner, vertices[t[2]] - corner}, in_bins[i]));
+    }
+  }
 }
 
 void TinSurface::FindHighest(const std::vector<Eigen::Vector3d>& vertices,
@@ -206,11 +223,17 @@ double TinSurface::HighestWithin(double radius, double x, double y) const {
   return base_height_ + double{highest};
 }
 
-void TinSurface::CountRims(const std::vector<Triangle>& triangles) {
+void TinSurface::FindRims(const std::vector<Eigen::Vector3d>& vertices,
+                          const std::vector<Triangle>& triangles) {
   const std::vector<Edge> boundary = BoundaryEdges(triangles);
   report_.boundary_edges = boundary.size();
   const std::size_t rims = CountConnected(boundary);
   report_.holes = rims > 0 ? rims - 1 : 0;
+  bin_has_rim_.assign(bin_begin_.size() - 1, 0);
+  for (const Edge& edge : boundary) {
+    VisitBins({vertices[edge.first], vertices[edge.second]},
+              [this](std::size_t bin) { bin_has_rim_[bin] = 1; });
+  }
 }
 
 void TinSurface::SampleOverlaps() {
@@ -229,48 +252,54 @@ void TinSurface::SampleOverlaps() {
   report_.overlap_share = covered > 0 ? static_cast<double>(several) / covered : 0;
 }
 
+template <class Visit>
+void TinSurface::VisitHeights(double x, double y, float seam, const Visit& visit) const {
+  const double u = x - low_.x();
+  const double v = y - low_.y();
+  const bool inside = u >= 0 && v >= 0 && x <= high_.x() && y <= high_.y();
+  if (!inside) return;
+  const auto column = static_cast<std::int64_t>(u / bin_size_);
+  const auto row = static_cast<std::int64_t>(v / bin_size_);
+  const double east = u - static_cast<double>(column) * bin_size_;
+  const double north = v - static_cast<double>(row) * bin_size_;
+  const auto e = static_cast<float>(east), n = static_cast<float>(north);
+  const auto is_on = [&](const LinearFunction<float>& edge) {
+    return edge.a * e + edge.b * n + edge.c >= -seam;
+  };
+  const std::uint32_t* bin = bin_begin_.data() + row * bin_columns_ + column;
+  for (std::uint32_t i = bin[0]; i < bin[1]; ++i) {
+    const GroundFacet& facet = bin_facets_[i];
+    if (!is_on(facet.edges[0]) || !is_on(facet.edges[1]) || !is_on(facet.edges[2])) continue;
+    const LinearFunction<float>& h = facet.height;
+    visit(double{h.a} * east + double{h.b} * north + double{h.c});
+  }
+}
+
+bool TinSurface::FindHeight(double x, double y, double* z) const {
+  double lowest = std::numeric_limits<double>::infinity();
+  VisitHeights(x, y, kFacetSeam, [&](double height) { lowest = std::min(lowest, height); });
+  if (!std::isfinite(lowest)) return false;
+  *z = base_height_ + lowest;
+  return true;
+}
+
 // Distinct heights, so that places on a seam do not count twice.
 int TinSurface::CountSheets(double x, double y) const {
   double lowest = 0;
   if (!FindHeight(x, y, &lowest)) return 0;
-  const auto u = static_cast<float>(x - low_.x());
-  const auto v = static_cast<float>(y - low_.y());
-  const std::size_t bin = static_cast<std::size_t>(v / bin_size_) * bin_columns_ +
-                          static_cast<std::size_t>(u / bin_size_);
-  for (std::uint32_t i = bin_begin_[bin]; i < bin_begin_[bin + 1]; ++i) {
-    const Facet& facet = bin_facets_[i];
-    const Eigen::Vector3f place(u, v, 1.0F);
-    const bool inside = std::all_of(facet.edges.begin(), facet.edges.end(),
-                                    [&](const auto& edge) { return edge.dot(place) >= 0.0F; });
-    if (inside && base_height_ + double{facet.plane.dot(place)} > lowest + 0.05) return 2;
-  }
-  return 1;
+  bool others = false;
+  VisitHeights(x, y, 0.0F,
+               [&](double height) { others = others || base_height_ + height > lowest + 0.05; });
+  return others ? 2 : 1;
 }
 
-bool TinSurface::FindHeight(double x, double y, double* z) const {
-  const double u = x - low_.x();
-  const double v = y - low_.y();
-  const bool inside = u >= 0 && v >= 0 && x <= high_.x() && y <= high_.y();
-  if (!inside) return false;
-  const Eigen::Vector3f place(static_cast<float>(u), static_cast<float>(v), 1.0F);
-  const std::size_t bin = static_cast<std::size_t>(v / bin_size_) * bin_columns_ +
-                          static_cast<std::size_t>(u / bin_size_);
-  float lowest = std::numeric_limits<float>::infinity();
-  for (std::uint32_t i = bin_begin_[bin]; i < bin_begin_[bin + 1]; ++i) {
-    const Facet& facet = bin_facets_[i];
-    if (facet.edges[0].dot(place) < -kSeam || facet.edges[1].dot(place) < -kSeam ||
-        facet.edges[2].dot(place) < -kSeam) {
-      continue;
-    }
-    lowest = std::min(lowest, facet.plane.dot(place));
-  }
-  if (!std::isfinite(lowest)) return false;
-  *z = base_height_ + double{lowest};
-  return true;
+GroundFacets TinSurface::View() const {
+  return {bin_columns_, bin_rows_,         low_.x(),           low_.y(),           bin_size_,
+          base_height_, bin_begin_.data(), bin_facets_.data(), bin_has_rim_.data()};
 }
 
 std::size_t TinSurface::memory_bytes() const {
-  return bin_facets_.size() * sizeof(Facet) + bin_begin_.size() * sizeof(std::uint32_t) +
+  return bin_facets_.size() * sizeof(GroundFacet) + bin_begin_.size() * sizeof(std::uint32_t) +
          highest_nearby_.size() * sizeof(float);
 }
 

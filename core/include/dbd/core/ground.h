@@ -1,6 +1,7 @@
 #pragma once
 
 #include <dbd/core/bekker.h>
+#include <dbd/core/ground_facets.h>
 #include <dbd/core/ground_grid.h>
 
 #include <limits>
@@ -53,6 +54,10 @@ class Ground {
   /// The heights as a grid, where they are nothing else: packs of vehicles read it themselves.
   /// Nothing, the default, means "ask Heights and HighestWithin".
   virtual std::optional<GroundGrid> Grid() const { return std::nullopt; }
+
+  /// The triangles that the heights come from, where there are any: packs of vehicles read them
+  /// themselves, and ask `Heights` off all of them. Nothing, the default, means "ask Heights".
+  virtual std::optional<GroundFacets> Facets() const { return std::nullopt; }
 
   double Height(double x, double y) const {
     double z = 0;

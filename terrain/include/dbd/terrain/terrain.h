@@ -72,6 +72,7 @@ class Terrain final : public Ground {
                      double* z) const override;
   bool IsKnown(double x, double y) const override;
   std::optional<GroundGrid> Grid() const override;
+  std::optional<GroundFacets> Facets() const override;
 
   const LocalFrame& frame() const { return frame_; }
   const HeightMap& heights() const { return heights_; }

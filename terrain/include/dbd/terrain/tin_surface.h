@@ -1,8 +1,11 @@
 #pragma once
 
+#include <dbd/core/ground_facets.h>
+
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <vector>
 
 namespace dbd {
@@ -35,6 +38,9 @@ class TinSurface {
   /// triangle is near. One read for radii up to about the spacing of the vertices.
   double HighestWithin(double radius, double x, double y) const;
 
+  /// Valid as long as the surface.
+  GroundFacets View() const;
+
   Eigen::Vector2d min_corner() const { return low_; }
   Eigen::Vector2d max_corner() const { return high_; }
   /// Typical distance of neighbouring vertices [m].
@@ -43,24 +49,25 @@ class TinSurface {
   std::size_t memory_bytes() const;
 
  private:
-  /// A plane inside three half planes, relative to low_ and base_height_.
-  struct Facet {
-    std::array<Eigen::Vector3f, 3> edges;  // (a, b, c): inside where a x + b y + c >= 0
-    Eigen::Vector3f plane;                 // (a, b, c): z = a x + b y + c
-  };
-
-  /// Counter-clockwise corners relative to (low_, base_height_).
-  static Facet MakeFacet(const std::array<Eigen::Vector3d, 3>& corners);
-  std::vector<Facet> MakeFacets(const std::vector<Eigen::Vector3d>& vertices,
-                                const std::vector<Triangle>& triangles);
+  void Measure(const std::vector<Eigen::Vector3d>& vertices,
+               const std::vector<Triangle>& triangles);
   /// The triangles of each bin, one bin after the other; `bin_begin_` says where each begins.
   std::vector<std::uint32_t> MakeBins(const std::vector<Eigen::Vector3d>& vertices,
                                       const std::vector<Triangle>& triangles);
   void FindHighest(const std::vector<Eigen::Vector3d>& vertices,
                    const std::vector<Triangle>& triangles,
                    const std::vector<std::uint32_t>& in_bins);
-  void CountRims(const std::vector<Triangle>& triangles);
+  void FillBins(const std::vector<Eigen::Vector3d>& vertices,
+                const std::vector<Triangle>& triangles, const std::vector<std::uint32_t>& in_bins);
+  void FindRims(const std::vector<Eigen::Vector3d>& vertices,
+                const std::vector<Triangle>& triangles);
+  /// Calls visit(index) for every bin that the rectangle around these places touches.
+  template <class Visit>
+  void VisitBins(std::initializer_list<Eigen::Vector3d> places, const Visit& visit) const;
   void SampleOverlaps();
+  /// Calls visit(height above the base) for every facet within `seam` of a place on the extent.
+  template <class Visit>
+  void VisitHeights(double x, double y, float seam, const Visit& visit) const;
   int CountSheets(double x, double y) const;
 
   Eigen::Vector2d low_ = Eigen::Vector2d::Zero();
@@ -71,8 +78,9 @@ class TinSurface {
   int bin_columns_ = 0;
   int bin_rows_ = 0;
   std::vector<std::uint32_t> bin_begin_;  // bins + 1, into bin_facets_
-  std::vector<Facet> bin_facets_;         // copies, so that a bin is read as one piece
-  std::vector<float> highest_nearby_;     // of a bin and its eight neighbours, above base_height_
+  std::vector<GroundFacet> bin_facets_;   // copies, so that a bin is read as one piece
+  std::vector<std::uint8_t> bin_has_rim_;
+  std::vector<float> highest_nearby_;  // of a bin and its eight neighbours, above base_height_
   Report report_;
 };
 
