@@ -87,6 +87,7 @@ class Variation {
       if (half < kShortestBend / 2) continue;
       Candidate bent = Named("bend");
       bent.path = BentPath(middle, half, side * size);
+      bent.meant = Path();
       if (Holds(bent.path)) return Priced(std::move(bent));
     }
     return std::nullopt;
@@ -99,6 +100,7 @@ class Variation {
     const std::vector<Pose2> after = SmoothRoute(layer_, turning_radius_, before, options, seed);
     if (PosesCost(layer_, after) >= PosesCost(layer_, before)) return std::nullopt;
     Candidate smooth = Named("smooth");
+    smooth.meant = Path();
     smooth.path = PathAlong(after, parent_.path.points().front(), parent_.path.points().back());
     return Priced(std::move(smooth));
   }

@@ -12,6 +12,7 @@
 #include <iterator>
 #include <memory>
 
+#include "candidate_correction.h"
 #include "candidate_random.h"
 #include "candidate_variants.h"
 #include "deadline.h"
@@ -88,13 +89,18 @@ class Planning {
       const TrafficabilityLayer learned = layer.WithExtraCost(std::make_shared<const ExtraCost>(
           LearnFromRollouts(layer, plan.rollouts, options_.scoring)));
       std::vector<Candidate> next = Sample(learned, count, plan).candidates;
+      const DrivenCandidates driven{plan.candidates, plan.rollouts, plan.scores};
+      const std::vector<Candidate> corrected =
+          CorrectCollided(vehicle_, driven, NoneReached(plan) ? count / 2 : count / 4);
+      const int others = count - static_cast<int>(corrected.size());
       const std::vector<Candidate> variants =
-          VaryBest(learned, vehicle_, {plan.candidates, plan.rollouts, plan.scores},
-                   std::max(budget_.Variants(count), count - static_cast<int>(next.size())),
+          VaryBest(learned, vehicle_, driven,
+                   std::max(budget_.Variants(others), others - static_cast<int>(next.size())),
                    RoundSeed(plan));
-      next.resize(std::min(next.size(), static_cast<std::size_t>(count) - variants.size()));
+      next.resize(std::min(next.size(), static_cast<std::size_t>(others) - variants.size()));
       next.insert(next.end(), variants.begin(), variants.end());
       if (NoneReached(plan)) DriveWithCare(next);
+      next.insert(next.end(), corrected.begin(), corrected.end());
       clock.Finish("candidates");
       if (!next.empty()) Drive("learn", std::move(next), plan, clock);
     }

@@ -96,6 +96,8 @@ struct Candidate {
   double layer_cost = 0;  ///< cost by the trafficability layer [s]
   /// Besides what ground and driver ask for.
   std::vector<SpeedCap> speed_caps = {};
+  /// Where the drive should go along, when `path` is not that but what a driver makes it of.
+  Path meant = {};
 };
 
 /// How a drive ended.
