@@ -11,8 +11,8 @@ class CorrectCollidedTest : public testing::Test {
  protected:
   /// A drive eastwards along `candidate` that lies `aside` to the left of y = 50, from x = 20 on.
   void Add(Candidate candidate, double aside, Outcome outcome, double until = 100) {
-    const VehicleModel& vehicle = *TestVehicle();
-    const double ahead = vehicle.bodies[0].p_RB.x() - vehicle.path_point_x();  // of the body
+    const auto vehicle = TestVehicle();
+    const double ahead = vehicle->bodies[0].p_RB.x() - vehicle->path_point_x();  // of the body
     Rollout rollout;
     rollout.outcome = outcome;
     for (double x = 10; x <= until; x += 1) {
