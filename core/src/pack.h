@@ -38,6 +38,13 @@ struct alignas(N * sizeof(T)) PackMask {
   Vector v;  // all bits set where true
 };
 
+/// One bit a lane, as AVX-512 has them.
+template <class T, int N>
+  requires(N * sizeof(T) >= 32)
+struct PackMask<T, N, 512> {
+  std::conditional_t<N == 16, std::uint16_t, std::uint8_t> bits;
+};
+
 template <class T, int N, int kTarget = DBD_PACK_TARGET>
 struct alignas(N * sizeof(T)) Pack {
   typedef T Vector __attribute__((vector_size(N * sizeof(T))));
@@ -159,18 +166,6 @@ Pack<T, N> Sqrt(const Pack<T, N>& a) {
 template <class T, int N>
 bool AnyOf(const PackMask<T, N>& mask) {
   constexpr std::size_t kBytes = N * sizeof(T);
-#if DBD_PACK_TARGET >= 512
-  if constexpr (kBytes == 64) {
-    const auto bits = __builtin_bit_cast(__m512i, mask.v);
-    return _mm512_test_epi32_mask(bits, bits) != 0;
-  }
-#endif
-#if DBD_PACK_TARGET >= 2
-  if constexpr (kBytes == 32) {
-    const auto bits = __builtin_bit_cast(__m256i, mask.v);
-    return _mm256_testz_si256(bits, bits) == 0;
-  }
-#endif
   std::int64_t parts[kBytes / sizeof(std::int64_t)];
   std::memcpy(parts, &mask.v, kBytes);
   std::int64_t any = 0;
@@ -247,3 +242,5 @@ Pack<T, N> Cbrt(const Pack<T, N>& a) {
 }
 
 }  // namespace dbd
+
+#include "pack_instructions.h"
