@@ -1,3 +1,4 @@
+#define DBD_NO_FLATTEN
 #include "count_stages.h"
 
 #include <stdexcept>
@@ -40,21 +41,21 @@ void Register(const std::vector<T>& array) {
 }
 
 template <class Real>
-void RegisterMemory(const StageDrive<Real>& drive) {
+void RegisterMemory(const StageDrive<Real, EngineModel>& drive) {
   OperationTally::memory.clear();
   const EngineState<Real>& state = drive.state;
   Register(state.bodies), Register(state.wheels), Register(state.contacts);
   Register(state.frictions);
   const Workspace<Real>& work = drive.work;
-  Register(work.R_WB), Register(work.wrench), Register(work.points), Register(work.point_force);
-  Register(work.spring_push_W), Register(work.spring_force), Register(work.link_force);
+  Register(work.R_WB), Register(work.wrench);
+  Register(work.spring_push), Register(work.spring_force), Register(work.link_force);
   Register(work.tires), Register(work.contact_force), Register(work.friction_force);
 }
 
 template <int N>
 StageCounts Count(const VehicleModel& vehicle, const Ground& ground) {
-  StageDrive<Counted<N>> drive(vehicle,
-                               InitialState<double>(vehicle, ground, Eigen::Vector2d::Zero(), 0));
+  StageDrive<Counted<N>, EngineModel> drive(
+      vehicle, InitialState<double>(vehicle, ground, Eigen::Vector2d::Zero(), 0));
   const CountedSurface<N> surface(ground);
   NoMark no_mark;
   Drive(drive, surface, kSettlingSteps, no_mark);

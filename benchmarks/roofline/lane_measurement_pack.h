@@ -4,6 +4,7 @@
 
 #include "flatten.h"
 #include "lane_measurement.h"
+#include "lane_model.h"
 #include "lane_surface.h"
 #include "machine_peaks_pack.h"
 #include "step_stages.h"
@@ -12,9 +13,9 @@
 namespace dbd {
 
 /// Flattened, as the engine's own step is.
-template <class Real, class Surface>
-DBD_FLATTEN void DriveFlattened(StageDrive<Real>& drive, const Surface& ground, std::int64_t steps,
-                                TimingMark& mark) {
+template <class Real, class Engine, class Surface>
+DBD_FLATTEN void DriveFlattened(StageDrive<Real, Engine>& drive, const Surface& ground,
+                                std::int64_t steps, TimingMark& mark) {
   Drive(drive, ground, steps, mark);
 }
 
@@ -27,7 +28,9 @@ LaneMeasurement MeasureReal(const VehicleModel& vehicle, const Ground& ground,
   LaneMeasurement measurement;
   measurement.lanes = LaneTraits<Real>::kLanes;
   measurement.lane_bytes = sizeof(ScalarOf<Real>);
-  StageDrive<Real> drive(vehicle, start);
+  using Engine =
+      std::conditional_t<LaneTraits<Real>::kLanes == 1, EngineModel, LaneModel<ScalarOf<Real>>>;
+  StageDrive<Real, Engine> drive(vehicle, start);
   const Surface surface(ground);
   TimingMark settling, driving;
   DriveFlattened(drive, surface, kSettlingSteps, settling);

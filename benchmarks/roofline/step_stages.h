@@ -9,11 +9,10 @@ namespace dbd {
 // with packs is counted with `Counted`.
 
 /// StepEngine, with `mark(stage)` called at the end of each stage.
-template <class Real, class Surface, class Mark>
-void StepInStages(const EngineModel& engine, const Surface& ground,
-                  const WheelControls<Real>& controls, EngineState<Real>& state,
-                  Workspace<Real>& work, Mark& mark) {
-  const VehicleModel& model = *engine.vehicle;
+template <class Real, class Engine, class Surface, class Mark>
+void StepInStages(const Engine& engine, const Surface& ground, const WheelControls<Real>& controls,
+                  EngineState<Real>& state, Workspace<Real>& work, Mark& mark) {
+  const auto& model = *engine.vehicle;
   const bool sample_ground = state.step % engine.tire_every == 0;
   LocateBodies(state, work);
   mark(Stage::kFrames);
@@ -45,7 +44,7 @@ Struct<Real> InAllLanes(const Struct<double>& values) {
 
 /// Vehicles side by side, one per lane, that drive straight ahead at about 2 m/s under their own
 /// torque, without driver and powertrain: the engine alone.
-template <class Real>
+template <class Real, class Engine>
 struct StageDrive {
   StageDrive(const VehicleModel& vehicle, const EngineState<double>& start)
       : engine(vehicle), work(vehicle) {
@@ -72,21 +71,21 @@ struct StageDrive {
     const Real most{S(300)};  // [N m] per wheel
     const Real torque =
         Clamp(Real(S(400)) * (Real(S(2)) - state.bodies[0].v_WB.x), Real(S(-1)) * most, most);
-    const VehicleModel& vehicle = *engine.vehicle;
+    const VehicleModel& vehicle = *engine.EngineModel::vehicle;
     for (std::size_t i = 0; i < vehicle.wheels.size(); ++i) {
       if (vehicle.axles[vehicle.wheels[i].axle].driven) controls.drive_torque[i] = torque;
     }
   }
 
-  EngineModel engine;
+  Engine engine;
   EngineState<Real> state;
   Workspace<Real> work;
   WheelControls<Real> controls{};
 };
 
 /// `steps` of it; `mark.Begin()` before each.
-template <class Real, class Surface, class Mark>
-void Drive(StageDrive<Real>& drive, const Surface& ground, std::int64_t steps, Mark& mark) {
+template <class Real, class Engine, class Surface, class Mark>
+void Drive(StageDrive<Real, Engine>& drive, const Surface& ground, std::int64_t steps, Mark& mark) {
   for (std::int64_t i = 0; i < steps; ++i) {
     if (drive.state.step % drive.engine.control_every == 0) drive.HoldSpeed();
     mark.Begin();

@@ -3,6 +3,7 @@
 #include <dbd/core/units.h>
 
 #include "engine_state.h"
+#include "flatten.h"
 
 namespace dbd {
 
@@ -40,8 +41,8 @@ Vec3<Real> MidStepAngularVelocity(const Body& body, const Mat3<Real>& R_WB, cons
 }
 
 template <class Real, class Model>
-void IntegrateBodies(const Model& model, double gravity, double step, const Workspace<Real>& work,
-                     EngineState<Real>& state) {
+DBD_STAGE void IntegrateBodies(const Model& model, double gravity, double step,
+                               const Workspace<Real>& work, EngineState<Real>& state) {
   using S = ScalarOf<Real>;
   const Real dt{S(step)};
   for (std::size_t i = 0; i < model.bodies.size(); ++i) {

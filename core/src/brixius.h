@@ -24,14 +24,13 @@ inline constexpr double kHardSoilMobility = 80.0;
 /// Loads below this are treated as this in quotients; the forces still vanish with the load.
 inline constexpr double kLeastLoad = 1.0;  // [N]
 
+/// `area`: width times diameter; `by_height`: 5 / section height; `by_shape`: 1 / (1 + 3 b / d).
 template <class Real, class Number>
 Real MobilityNumber(const Real& cone_index, const Real& load, const Real& deflection,
-                    const Number& width, const Number& diameter, const Number& section_height) {
+                    const Number& area, const Number& by_height, const Number& by_shape) {
   using S = ScalarOf<Real>;
-  const Real numeric =
-      cone_index * ToLanes<Real>(width * diameter) / Max(load, Real(S(kLeastLoad)));
-  const Real shape = (Real(1) + deflection * ToLanes<Real>(5.0 / section_height)) *
-                     ToLanes<Real>(1.0 / (1.0 + 3.0 * width / diameter));
+  const Real numeric = cone_index * ToLanes<Real>(area) / Max(load, Real(S(kLeastLoad)));
+  const Real shape = (Real(1) + deflection * ToLanes<Real>(by_height)) * ToLanes<Real>(by_shape);
   return Min(numeric * shape, Real(S(kHardSoilMobility)));
 }
 
@@ -39,7 +38,7 @@ Real MobilityNumber(const Real& cone_index, const Real& load, const Real& deflec
 template <class Real, class Coefficients>
 Real TractionCapacity(const Coefficients& c, const Real& mobility) {
   return ToLanes<Real>(c.traction_max) *
-         (Real(1) - Exp(ToLanes<Real>(-c.mobility_rate) * mobility));
+         (Real(1) - Exp(Real(-1) * ToLanes<Real>(c.mobility_rate) * mobility));
 }
 
 /// Motion resistance ratio without ct; `slip` may be negative, its magnitude counts.

@@ -13,7 +13,9 @@ namespace dbd {
 // number by number and half the time of the processor's gather.
 
 template <int N>
-using CornerColumns = std::array<Pack<float, N>, 4>;
+struct CornerColumns {
+  Pack<float, N> south_west, north_west, south_east, north_east;
+};
 
 namespace corner_detail {
 
@@ -32,12 +34,23 @@ Floats<2 * N> Join(const Floats<N>& a, const Floats<N>& b) {
   }
 }
 
+/// The indices as numbers in memory, from where they become addresses in one instruction each;
+/// left to itself, GCC takes them out of the register one by one, in three.
+template <int N>
+struct alignas(N * sizeof(std::int32_t)) Indices {
+  explicit Indices(const Order<N>& index) {
+    std::memcpy(number, &index, sizeof(number));
+    asm volatile("" : "+m"(number));
+  }
+  std::int32_t number[N];
+};
+
 /// The four floats of every fourth lane from `lane` on, one after the other.
 template <int N>
-Floats<N> EveryFourth(const float* pairs, const Order<N>& index, int lane) {
+Floats<N> EveryFourth(const float* pairs, const Indices<N>& index, int lane) {
   const auto read = [&](int i) {
     Floats<4> four;
-    std::memcpy(&four.v, pairs + 2 * static_cast<std::int64_t>(index[i]), sizeof(four.v));
+    std::memcpy(&four.v, pairs + 2 * static_cast<std::int64_t>(index.number[i]), sizeof(four.v));
     return four;
   };
   if constexpr (N == 4) {
@@ -45,7 +58,14 @@ Floats<N> EveryFourth(const float* pairs, const Order<N>& index, int lane) {
   } else if constexpr (N == 8) {
     return Join<4>(read(lane), read(lane + 4));
   } else {
+#if DBD_PACK_TARGET >= 512
+    __m512 four = _mm512_castps128_ps512(read(lane).v);
+    four = _mm512_insertf32x4(four, read(lane + 4).v, 1);
+    four = _mm512_insertf32x4(four, read(lane + 8).v, 2);
+    return Floats<16>(_mm512_insertf32x4(four, read(lane + 12).v, 3));
+#else
     return Join<8>(Join<4>(read(lane), read(lane + 4)), Join<4>(read(lane + 8), read(lane + 12)));
+#endif
   }
 }
 
@@ -63,11 +83,12 @@ Floats<N> Interleave(const Floats<N>& a, const Floats<N>& b, int begin, int run)
 
 }  // namespace corner_detail
 
-/// Column k holds number k of every lane; lane i reads four floats at pairs + 2 index[i].
+/// Column k holds number k of every lane; lane i reads four floats at pairs + 2 lane_index[i].
 template <int N>
 CornerColumns<N> ReadCornerColumns(const float* pairs,
-                                   const typename Pack<float, N>::Integers& index) {
+                                   const typename Pack<float, N>::Integers& lane_index) {
   using namespace corner_detail;
+  const Indices<N> index(lane_index);
   const Floats<N> w0 = EveryFourth<N>(pairs, index, 0), w1 = EveryFourth<N>(pairs, index, 1);
   const Floats<N> w2 = EveryFourth<N>(pairs, index, 2), w3 = EveryFourth<N>(pairs, index, 3);
   const Floats<N> low01 = Interleave<N>(w0, w1, 0, 1), low23 = Interleave<N>(w2, w3, 0, 1);

@@ -14,13 +14,13 @@ namespace dbd {
 /// The elements of one row; where a lane has none, `idle`. `Real` makes each of these templates a
 /// function of its translation unit's instruction set alone.
 template <class Real, class Element>
-using CornerFour = std::array<const Element*, kCornerLanes>;
+using CornerFour = std::array<const Element*, LaneTraits<Real>::kLanes>;
 
 template <class Real, class Element>
 CornerFour<Real, Element> Pick(const CornerRow& row, const std::vector<Element>& elements,
                                const Element& idle) {
   CornerFour<Real, Element> four;
-  for (int lane = 0; lane < kCornerLanes; ++lane) {
+  for (int lane = 0; lane < LaneTraits<Real>::kLanes; ++lane) {
     four[lane] = row[lane] == kNobody ? &idle : &elements[row[lane]];
   }
   return four;
@@ -29,18 +29,19 @@ CornerFour<Real, Element> Pick(const CornerRow& row, const std::vector<Element>&
 template <class Real, class Four, class Field>
 Real InLanes(const Four& four, const Field& field) {
   Real pack;
-  for (int lane = 0; lane < kCornerLanes; ++lane) pack.v[lane] = std::invoke(field, *four[lane]);
+  for (int lane = 0; lane < LaneTraits<Real>::kLanes; ++lane)
+    SetNumber(pack, lane, std::invoke(field, *four[lane]));
   return pack;
 }
 
 template <class Real, class Four, class Field>
 Vec3<Real> VectorsInLanes(const Four& four, const Field& field) {
   Vec3<Real> packs;
-  for (int lane = 0; lane < kCornerLanes; ++lane) {
+  for (int lane = 0; lane < LaneTraits<Real>::kLanes; ++lane) {
     const Eigen::Vector3d& v = std::invoke(field, *four[lane]);
-    packs.x.v[lane] = v.x();
-    packs.y.v[lane] = v.y();
-    packs.z.v[lane] = v.z();
+    SetNumber(packs.x, lane, v.x());
+    SetNumber(packs.y, lane, v.y());
+    SetNumber(packs.z, lane, v.z());
   }
   return packs;
 }
@@ -90,15 +91,15 @@ CornerCurve<Real> MakeCornerCurve(const Four& four, CurveModel SpringModel::*fie
   }
   if (!curve.is_given) return curve;
   curve.hinges.resize(hinges);
-  for (int lane = 0; lane < kCornerLanes; ++lane) {
+  for (int lane = 0; lane < LaneTraits<Real>::kLanes; ++lane) {
     const CurveModel& c = four[lane]->*field;
-    curve.origin.v[lane] = c.origin;
-    curve.value.v[lane] = c.value;
-    curve.slope.v[lane] = c.given() ? c.slope : four[lane]->*slope;
+    SetNumber(curve.origin, lane, c.origin);
+    SetNumber(curve.value, lane, c.value);
+    SetNumber(curve.slope, lane, c.given() ? c.slope : four[lane]->*slope);
     for (std::size_t i = 0; i < hinges; ++i) {
       const bool has = i < c.hinges.size();
-      curve.hinges[i].at.v[lane] = has ? c.hinges[i].at : 0;
-      curve.hinges[i].slope_change.v[lane] = has ? c.hinges[i].slope_change : 0;
+      SetNumber(curve.hinges[i].at, lane, has ? c.hinges[i].at : 0);
+      SetNumber(curve.hinges[i].slope_change, lane, has ? c.hinges[i].slope_change : 0);
     }
   }
   return curve;

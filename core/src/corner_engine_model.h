@@ -14,48 +14,6 @@ bool SamePoint(const Vec3<Real>& a, const Vec3<Real>& b) {
 }
 
 template <class Real>
-class CornerPointsMaker {
- public:
-  explicit CornerPointsMaker(const CornerVehicle<Real>& vehicle) {
-    for (int body = 0; body < static_cast<int>(vehicle.bodies.size()); ++body) {
-      made_.first_of_body.push_back(made_.all.size());
-      for (const auto& link : vehicle.links) {
-        Add(body, link.body_a, link.p_A);
-        Add(body, link.body_b, link.p_B);
-      }
-      for (const auto& spring : vehicle.springs) {
-        Add(body, spring.body_a, spring.p_A);
-        Add(body, spring.body_a, spring.p_Q);
-        Add(body, spring.body_b, spring.p_B);
-      }
-    }
-    made_.first_of_body.push_back(made_.all.size());
-    for (const auto& link : vehicle.links) {
-      made_.link_ends.push_back({Find(link.body_a, link.p_A), Find(link.body_b, link.p_B)});
-    }
-    for (const auto& spring : vehicle.springs) {
-      made_.spring_ends.push_back({Find(spring.body_a, spring.p_A), Find(spring.body_a, spring.p_Q),
-                                   Find(spring.body_b, spring.p_B)});
-    }
-  }
-
-  CornerPoints<Real> Take() { return std::move(made_); }
-
- private:
-  int Find(int body, const Vec3<Real>& p_B) const {
-    for (std::size_t i = 0; i < made_.all.size(); ++i) {
-      if (made_.all[i].body == body && SamePoint(made_.all[i].p_B, p_B)) return static_cast<int>(i);
-    }
-    return -1;
-  }
-  void Add(int body, int of, const Vec3<Real>& p_B) {
-    if (of == body && Find(body, p_B) < 0) made_.all.push_back({body, p_B});
-  }
-
-  CornerPoints<Real> made_;
-};
-
-template <class Real>
 struct CornerEngineModel {
   CornerEngineModel(const EngineModel& engine, const Corners& found);
   CornerEngineModel(const CornerEngineModel&) = delete;
@@ -64,8 +22,9 @@ struct CornerEngineModel {
   const Corners& corners;
   CornerVehicle<Real> numbers;
   const CornerVehicle<Real>* vehicle = &numbers;
-  CornerPoints<Real> attachments;
-  std::vector<CornerPattern<Real>> patterns;
+  JoinedBodies joined;
+  std::vector<TirePatternOf<Real>> patterns;
+  std::vector<TireNumbers<Real>> tires;
   std::vector<Real> carrier_inertia;
   double gravity = whole.gravity;
   double step = whole.step;
@@ -97,9 +56,10 @@ CornerEngineModel<Real>::CornerEngineModel(const EngineModel& engine, const Corn
     : whole(engine),
       corners(found),
       numbers(MakeCornerVehicle<Real>(*engine.vehicle, found)),
-      attachments(CornerPointsMaker<Real>(numbers).Take()) {
+      joined(FindJoinedBodies(numbers, SamePoint<Real>)) {
   for (const CornerElements& row : found.wheels) {
     patterns.push_back(MakeCornerPattern<Real>(row, engine));
+    tires.push_back(MakeCornerTire<Real>(row, engine));
     Real inertia{1};
     for (int lane = 0; lane < kCornerLanes; ++lane) {
       const int wheel = row.elements[lane];

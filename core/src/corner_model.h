@@ -107,24 +107,11 @@ struct CornerLoad {
 };
 
 template <class Real>
-struct CornerBrixius {
-  Real traction_max, mobility_rate, slip_rate, carcass_loss, resistance_mobility, resistance_slip;
-};
-
-template <class Real>
-struct CornerTire {
-  Real radius, width, section_height, stiffness, damping;
-  Real lateral_limit, lateral_rate, relaxation_length;
-  CornerBrixius<Real> traction;
-};
-
-template <class Real>
 struct CornerWheel {
   int body, reaction_body;
   Vec3<Real> p_BH;
   bool steers_hub;
   Real spin_inertia, gyroscopic_inertia;
-  CornerTire<Real> tire;
 };
 
 template <class Real>
@@ -137,35 +124,6 @@ struct CornerVehicle {
   std::vector<CornerFriction<Real>> frictions;
   std::vector<CornerLoad<Real>> loads;
   std::vector<CornerWheel<Real>> wheels;
-};
-
-/// TirePattern in lanes; all tires have the same number of points.
-template <class Real>
-struct CornerPattern {
-  using Row = std::array<Real, kMaxLowerPoints>;
-  Real radius, half_span, width, stiffness;
-  double reach = 0;  // of all lanes
-  int count = 0;
-  Row x, z, bulge, half_by_bulge, length, by_length;
-};
-
-/// AttachmentPoints in lanes.
-template <class Real>
-struct CornerPoints {
-  struct Point {
-    int body;
-    Vec3<Real> p_B;
-  };
-
-  const std::vector<Point>& points() const { return all; }
-  const std::vector<std::size_t>& first() const { return first_of_body; }
-  const std::vector<AttachmentPoints::LinkEnds>& links() const { return link_ends; }
-  const std::vector<AttachmentPoints::SpringEnds>& springs() const { return spring_ends; }
-
-  std::vector<Point> all;  // sorted by body
-  std::vector<std::size_t> first_of_body;
-  std::vector<AttachmentPoints::LinkEnds> link_ends;
-  std::vector<AttachmentPoints::SpringEnds> spring_ends;
 };
 
 }  // namespace dbd

@@ -1,34 +1,11 @@
 #pragma once
 
 #include "corner_elements.h"
+#include "lane_state.h"
 
 namespace dbd {
 
 // The numbers of a vehicle's wheels and tires, brought into lanes.
-
-template <class Real, class Four>
-CornerTire<Real> MakeCornerTire(const Four& four) {
-  const auto lanes = [&](double TireModel::*field) {
-    return InLanes<Real>(four, [field](const WheelModel& wheel) { return wheel.tire.*field; });
-  };
-  const auto brixius = [&](double BrixiusCoefficients::*field) {
-    return InLanes<Real>(four,
-                         [field](const WheelModel& wheel) { return wheel.tire.traction.*field; });
-  };
-  return {
-      lanes(&TireModel::radius),
-      lanes(&TireModel::width),
-      lanes(&TireModel::section_height),
-      lanes(&TireModel::stiffness),
-      lanes(&TireModel::damping),
-      lanes(&TireModel::lateral_limit),
-      lanes(&TireModel::lateral_rate),
-      lanes(&TireModel::relaxation_length),
-      {brixius(&BrixiusCoefficients::traction_max), brixius(&BrixiusCoefficients::mobility_rate),
-       brixius(&BrixiusCoefficients::slip_rate), brixius(&BrixiusCoefficients::carcass_loss),
-       brixius(&BrixiusCoefficients::resistance_mobility),
-       brixius(&BrixiusCoefficients::resistance_slip)}};
-}
 
 /// A wheel that is not there: like the first, out of reach of the ground.
 inline WheelModel IdleWheel(const VehicleModel& vehicle) {
@@ -49,30 +26,29 @@ CornerWheel<Real> MakeCornerWheel(const CornerElements& row, const VehicleModel&
           VectorsInLanes<Real>(four, &WheelModel::p_BH),
           on_hub,
           InLanes<Real>(four, &WheelModel::spin_inertia),
-          InLanes<Real>(four, &WheelModel::gyroscopic_inertia),
-          MakeCornerTire<Real>(four)};
+          InLanes<Real>(four, &WheelModel::gyroscopic_inertia)};
 }
 
 template <class Real>
-CornerPattern<Real> MakeCornerPattern(const CornerElements& row, const EngineModel& engine) {
+TireNumbers<Real> MakeCornerTire(const CornerElements& row, const EngineModel& engine) {
+  const auto four = Pick<Real>(row.elements, engine.tires, engine.tires[0]);
+  TireNumbers<Real> tire{};
+  for (int lane = 0; lane < kCornerLanes; ++lane) SetLaneOf(tire, lane, *four[lane]);
+  return tire;
+}
+
+/// All tires have the same number of points.
+template <class Real>
+TirePatternOf<Real> MakeCornerPattern(const CornerElements& row, const EngineModel& engine) {
   const auto four = Pick<Real>(row.elements, engine.patterns, engine.patterns[0]);
-  CornerPattern<Real> pattern{};
-  pattern.radius = InLanes<Real>(four, &TirePattern::radius);
-  pattern.half_span = InLanes<Real>(four, &TirePattern::half_span);
-  pattern.width = InLanes<Real>(four, &TirePattern::width);
-  pattern.stiffness = InLanes<Real>(four, &TirePattern::stiffness);
+  TirePatternOf<Real> pattern{};
   pattern.count = engine.patterns[0].count;
-  for (const TirePattern* p : four) pattern.reach = std::max(pattern.reach, p->reach);
-  for (int i = 0; i < pattern.count; ++i) {
-    const auto lanes = [&](auto field) {
-      return InLanes<Real>(four, [&](const TirePattern& p) { return (p.*field)[i]; });
-    };
-    pattern.x[i] = lanes(&TirePattern::x);
-    pattern.z[i] = lanes(&TirePattern::z);
-    pattern.bulge[i] = lanes(&TirePattern::bulge);
-    pattern.half_by_bulge[i] = lanes(&TirePattern::half_by_bulge);
-    pattern.length[i] = lanes(&TirePattern::length);
-    pattern.by_length[i] = lanes(&TirePattern::by_length);
+  for (int lane = 0; lane < kCornerLanes; ++lane) {
+    pattern.reach = std::max(pattern.reach, four[lane]->reach);
+    SetLaneOf(pattern.size, lane, four[lane]->size);
+    for (int i = 0; i < pattern.count; ++i) {
+      SetLaneOf(pattern.points[i], lane, four[lane]->points[i]);
+    }
   }
   return pattern;
 }

@@ -144,4 +144,32 @@ std::optional<Corners> FindCorners(const VehicleModel& vehicle) {
   return CornerFinder(vehicle).Find();
 }
 
+Corners OneLane(const VehicleModel& vehicle) {
+  Corners rows;
+  const auto row_of = [](int element) { return CornerRow{element, kNobody, kNobody, kNobody}; };
+  const auto add = [&](auto& all, int a, int b, int wheel = kNobody, int kind = 0) {
+    all.push_back({row_of(static_cast<int>(all.size())), a, b, wheel, kind});
+  };
+  for (int i = 0; i < static_cast<int>(vehicle.bodies.size()); ++i) {
+    rows.bodies.push_back(row_of(i));
+  }
+  for (const WheelModel& w : vehicle.wheels) {
+    rows.wheel_places.push_back({static_cast<int>(rows.wheels.size()), 0});
+    add(rows.wheels, w.reaction_body, w.body);
+  }
+  for (const LinkModel& e : vehicle.links) add(rows.links, e.body_a, e.body_b, e.steered_wheel);
+  for (const SpringModel& e : vehicle.springs) add(rows.springs, e.body_a, e.body_b);
+  for (const AxisJointModel& e : vehicle.joints) {
+    add(rows.joints, e.body_a, e.body_b, e.steered_wheel);
+  }
+  for (const ContactModel& e : vehicle.contacts) add(rows.contacts, e.body, e.body);
+  for (const FrictionModel& e : vehicle.frictions) {
+    add(rows.frictions, e.body_a, e.body_b, kNobody, static_cast<int>(e.motion));
+  }
+  for (const AppliedLoadModel& e : vehicle.loads) {
+    add(rows.loads, e.body, e.body, kNobody, e.turns_with_body ? 1 : 0);
+  }
+  return rows;
+}
+
 }  // namespace dbd

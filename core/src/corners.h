@@ -59,4 +59,7 @@ struct Corners {
 /// or where tires have different numbers of points.
 std::optional<Corners> FindCorners(const VehicleModel& vehicle);
 
+/// Every body, wheel and element in a row of its own, in lane 0: in the order of the vehicle.
+Corners OneLane(const VehicleModel& vehicle);
+
 }  // namespace dbd

@@ -1,13 +1,17 @@
 #pragma once
 
-#include "attachment_points.h"
 #include "curve.h"
 #include "engine_state.h"
+#include "flatten.h"
+#include "joined_bodies.h"
 
 namespace dbd {
 
-// The force elements that join bodies: links, suspension springs and axis joints. Each adds equal
-// and opposite forces to its two bodies.
+// The force elements that join bodies: links, suspension springs and axis joints. Those between
+// bodies a and b are evaluated as a sees them: in a's axes the points of a are constants at rest.
+// Each element's force acts along a line through its ends, or is a couple, so that what it does to
+// a is opposite to what it does to b as a whole: force and moment on b are summed, and a gets them
+// once for all elements.
 
 template <class Real, class Vector>
 BodyPoint<Real> PointOn(const BodyState<Real>& body, const Mat3<Real>& R_WB, const Vector& p_BP) {
@@ -15,42 +19,56 @@ BodyPoint<Real> PointOn(const BodyState<Real>& body, const Mat3<Real>& R_WB, con
   return {lever, body.p_WB + lever, body.v_WB + Cross(body.w_WB, lever)};
 }
 
-/// Brings the attachment points to the present pose and motion of their bodies.
-template <class Real, class Attachments>
-void MovePoints(const Attachments& attachments, const EngineState<Real>& state,
-                Workspace<Real>& work) {
-  const auto& points = attachments.points();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const int body = points[i].body;
-    work.points[i] = PointOn(state.bodies[body], work.R_WB[body], points[i].p_B);
-  }
+/// Pose and motion of body b in the axes of body a, which is at rest there.
+template <class Real>
+struct RelativeMotion {
+  Mat3<Real> R_AB;
+  Vec3<Real> p_AB;
+  Vec3<Real> v_AB;  // of Bo, as a sees it
+  Vec3<Real> w_AB;
+};
+
+template <class Real>
+RelativeMotion<Real> MotionSeenFrom(const BodyState<Real>& a, const Mat3<Real>& R_WA,
+                                    const BodyState<Real>& b, const Mat3<Real>& R_WB) {
+  const Vec3<Real> d_W = b.p_WB - a.p_WB;
+  return {{R_WA.TransposeTimes(R_WB.x), R_WA.TransposeTimes(R_WB.y), R_WA.TransposeTimes(R_WB.z)},
+          R_WA.TransposeTimes(d_W),
+          R_WA.TransposeTimes(b.v_WB - a.v_WB - Cross(a.w_WB, d_W)),
+          R_WA.TransposeTimes(b.w_WB - a.w_WB)};
 }
 
-/// Stiff spring-dampers in the place of arms and joints: F = k (L - L0) + c dL/dt, tension
-/// positive (paper section 4.2).
-template <class Real, class Model, class Attachments>
-void AddLinkForces(const Model& model, const Attachments& attachments,
-                   const WheelControls<Real>& controls, Workspace<Real>& work) {
-  for (std::size_t i = 0; i < model.links.size(); ++i) {
-    const auto& link = model.links[i];
-    const auto ends = attachments.links()[i];
-    const BodyPoint<Real>&a = work.points[ends.a], &b = work.points[ends.b];
-    const Vec3<Real> d = b.p - a.p;
-    const Real length = Norm(d);
-    const Vec3<Real> direction = (Real(1) / length) * d;
-    Real free_length = ToLanes<Real>(link.free_length);
-    if (link.steered_wheel >= 0) {
-      const Real sine = controls.steer_sine[link.steered_wheel];
-      free_length = free_length + sine * (ToLanes<Real>(link.steer_linear) +
-                                          sine * ToLanes<Real>(link.steer_quadratic));
-    }
-    const Real tension = ToLanes<Real>(link.stiffness) * (length - free_length) +
-                         ToLanes<Real>(link.damping) * Dot(b.v - a.v, direction);
-    const Vec3<Real> f = tension * direction;
-    work.point_force[ends.a] += f;
-    work.point_force[ends.b] -= f;
-    work.link_force[i] = tension;
-  }
+/// A point of body b at which elements pull: lever from Bo, place and velocity, in axes of a.
+template <class Real, class Model>
+BodyPoint<Real> PlaceBall(const Model& model, const JoinedBodies::Ball& ball,
+                          const RelativeMotion<Real>& motion) {
+  const auto& p_B =
+      ball.of_link >= 0 ? model.links[ball.of_link].p_B : model.springs[ball.of_spring].p_B;
+  const Vec3<Real> lever = motion.R_AB * Broadcast<Real>(p_B);
+  return {lever, motion.p_AB + lever, motion.v_AB + Cross(motion.w_AB, lever)};
+}
+
+/// Free length of a link: a tie rod's follows the steering.
+template <class Real, class Link>
+Real FreeLength(const Link& link, const WheelControls<Real>& controls) {
+  const Real free_length = ToLanes<Real>(link.free_length);
+  if (link.steered_wheel < 0) return free_length;
+  const Real sine = controls.steer_sine[link.steered_wheel];
+  return free_length +
+         sine * (ToLanes<Real>(link.steer_linear) + sine * ToLanes<Real>(link.steer_quadratic));
+}
+
+/// Stiff spring-damper in the place of an arm or a joint: F = k (L - L0) + c dL/dt, tension
+/// positive (paper section 4.2). Returns the force on body b.
+template <class Real, class Link>
+Vec3<Real> LinkForce(const Link& link, const WheelControls<Real>& controls,
+                     const BodyPoint<Real>& ball, Real& tension) {
+  const Vec3<Real> d = ball.p - Broadcast<Real>(link.p_A);
+  const Real length = Norm(d);
+  const Vec3<Real> direction = (Real(1) / length) * d;
+  tension = ToLanes<Real>(link.stiffness) * (length - FreeLength(link, controls)) +
+            ToLanes<Real>(link.damping) * Dot(ball.v, direction);
+  return (Real(-1) * tension) * direction;
 }
 
 /// By how much a stop's stiffness grows per compression, of its stiffness at first contact [1/m].
@@ -87,66 +105,90 @@ Real StrutForce(const Spring& spring, const Real& length, const Real& rate) {
   return elastic + viscous + StopForce(spring.bump_stop, length, rate);
 }
 
-/// Suspension springs and shock absorbers: the push of each at the present time, to be held.
-template <class Real, class Model, class Attachments>
-void UpdateSprings(const Model& model, const Attachments& attachments, Workspace<Real>& work) {
-  for (std::size_t i = 0; i < model.springs.size(); ++i) {
-    const auto& spring = model.springs[i];
-    const auto ends = attachments.springs()[i];
-    const BodyPoint<Real>&top = work.points[ends.top], &pivot = work.points[ends.pivot],
-          &ball = work.points[ends.ball];
-    const Real f = ToLanes<Real>(spring.lever), g = ToLanes<Real>(1 - spring.lever);
-    const Vec3<Real> d = g * pivot.p + f * ball.p - top.p;
-    const Vec3<Real> rate = g * pivot.v + f * ball.v - top.v;
-    const Real length = Norm(d);
-    const Vec3<Real> direction = (Real(1) / length) * d;
-    work.spring_force[i] = StrutForce(spring, length, Dot(rate, direction));
-    work.spring_push_W[i] = work.spring_force[i] * direction;
-  }
+/// Push of a suspension spring and shock absorber at its lower mount, which lies between the pivot
+/// on a and the ball on b.
+template <class Real, class Spring>
+Vec3<Real> SpringPush(const Spring& spring, const BodyPoint<Real>& ball, Real& force) {
+  const Real f = ToLanes<Real>(spring.lever), g = ToLanes<Real>(1 - spring.lever);
+  const Vec3<Real> d = f * ball.p + (g * Broadcast<Real>(spring.p_Q) - Broadcast<Real>(spring.p_A));
+  const Real length = Norm(d);
+  const Vec3<Real> direction = (Real(1) / length) * d;
+  force = StrutForce(spring, length, f * Dot(ball.v, direction));
+  return force * direction;
 }
 
-/// The held pushes, shared between pivot and wheel body by the lever.
-template <class Real, class Model, class Attachments>
-void AddSpringForces(const Model& model, const Attachments& attachments, Workspace<Real>& work) {
-  for (std::size_t i = 0; i < model.springs.size(); ++i) {
-    const auto ends = attachments.springs()[i];
-    const Vec3<Real> push = work.spring_push_W[i];
-    work.point_force[ends.top] -= push;
-    work.point_force[ends.pivot] += ToLanes<Real>(1 - model.springs[i].lever) * push;
-    work.point_force[ends.ball] += ToLanes<Real>(model.springs[i].lever) * push;
-  }
-}
-
-/// Sums the forces on each body's points into its wrench, which begins anew.
-template <class Real, class Attachments>
-void GatherPointForces(const Attachments& attachments, Workspace<Real>& work) {
-  for (std::size_t body = 0; body < work.wrench.size(); ++body) {
-    Wrench<Real> sum{};
-    for (std::size_t i = attachments.first()[body]; i < attachments.first()[body + 1]; ++i) {
-      sum.Add(work.point_force[i], work.points[i].lever);
-    }
-    work.wrench[body] = sum;
-  }
-}
-
-/// Rotational constraints: with s = axis_a . axis_b and energy k (s - s0)^2 / 2 the torque on b is
+/// Rotational constraint: with s = axis_a . axis_b and energy k (s - s0)^2 / 2 the torque on b is
 /// k (s - s0) (a x b), and the damper's c ds/dt (a x b).
+template <class Real, class Joint>
+Vec3<Real> JointTorque(const Joint& joint, const WheelControls<Real>& controls,
+                       const RelativeMotion<Real>& motion) {
+  const Vec3<Real> a = Broadcast<Real>(joint.axis_a);
+  const Vec3<Real> b = motion.R_AB * Broadcast<Real>(joint.axis_b);
+  const Vec3<Real> axis = Cross(a, b);
+  Real target = ToLanes<Real>(joint.rest);
+  if (joint.steered_wheel >= 0) target = target + controls.steer_sine[joint.steered_wheel];
+  const Real rate = Real(-1) * Dot(motion.w_AB, axis);
+  const Real torque =
+      ToLanes<Real>(joint.stiffness) * (Dot(a, b) - target) + ToLanes<Real>(joint.damping) * rate;
+  return torque * axis;
+}
+
+/// Sum of the forces on body b at one ball. Of a spring's push b takes the share of its lever, the
+/// pivot on a the rest.
 template <class Real, class Model>
-void AddJointTorques(const Model& model, const WheelControls<Real>& controls,
-                     const EngineState<Real>& state, Workspace<Real>& work) {
-  for (const auto& joint : model.joints) {
-    const Vec3<Real> a = work.R_WB[joint.body_a] * Broadcast<Real>(joint.axis_a);
-    const Vec3<Real> b = work.R_WB[joint.body_b] * Broadcast<Real>(joint.axis_b);
-    const Vec3<Real> w_AB = state.bodies[joint.body_b].w_WB - state.bodies[joint.body_a].w_WB;
-    const Vec3<Real> axis = Cross(a, b);
-    Real target = ToLanes<Real>(joint.rest);
-    if (joint.steered_wheel >= 0) target = target + controls.steer_sine[joint.steered_wheel];
-    const Real rate = Real(-1) * Dot(w_AB, axis);
-    const Real torque =
-        ToLanes<Real>(joint.stiffness) * (Dot(a, b) - target) + ToLanes<Real>(joint.damping) * rate;
-    const Vec3<Real> t = torque * axis;
-    work.wrench[joint.body_b].t_W += t;
-    work.wrench[joint.body_a].t_W -= t;
+Vec3<Real> BallForce(const Model& model, const JoinedBodies& joined, const JoinedBodies::Ball& ball,
+                     const WheelControls<Real>& controls, bool update_springs,
+                     const BodyPoint<Real>& place, Workspace<Real>& work) {
+  Vec3<Real> sum{};
+  for (int i = ball.links.begin; i < ball.links.end; ++i) {
+    const int link = joined.links[i];
+    sum += LinkForce(model.links[link], controls, place, work.link_force[link]);
+  }
+  for (int i = ball.springs.begin; i < ball.springs.end; ++i) {
+    const int spring = joined.springs[i];
+    Vec3<Real>& push = work.spring_push[spring];
+    if (update_springs) push = SpringPush(model.springs[spring], place, work.spring_force[spring]);
+    sum += ToLanes<Real>(model.springs[spring].lever) * push;
+  }
+  return sum;
+}
+
+/// Force and torque on body b about its centre of mass, in axes of a.
+template <class Real, class Model>
+Wrench<Real> JoiningWrench(const Model& model, const JoinedBodies& joined,
+                           const JoinedBodies::Pair& pair, const WheelControls<Real>& controls,
+                           bool update_springs, const RelativeMotion<Real>& motion,
+                           Workspace<Real>& work) {
+  Wrench<Real> on_b{};
+  for (int i = pair.balls.begin; i < pair.balls.end; ++i) {
+    const JoinedBodies::Ball& ball = joined.balls[i];
+    const BodyPoint<Real> place = PlaceBall(model, ball, motion);
+    on_b.Add(BallForce(model, joined, ball, controls, update_springs, place, work), place.lever);
+  }
+  for (int i = pair.joints.begin; i < pair.joints.end; ++i) {
+    on_b.t_W += JointTorque(model.joints[joined.joints[i]], controls, motion);
+  }
+  return on_b;
+}
+
+/// All of the above into work.wrench, which begins anew. Springs are held between their updates,
+/// in axes of their body a.
+template <class Real, class Model>
+DBD_STAGE void SetJoiningForces(const Model& model, const JoinedBodies& joined,
+                                const WheelControls<Real>& controls, bool update_springs,
+                                const EngineState<Real>& state, Workspace<Real>& work) {
+  for (Wrench<Real>& wrench : work.wrench) wrench.Clear();
+  for (const JoinedBodies::Pair& pair : joined.pairs) {
+    const BodyState<Real>&a = state.bodies[pair.body_a], &b = state.bodies[pair.body_b];
+    const Mat3<Real>& R_WA = work.R_WB[pair.body_a];
+    const auto motion = MotionSeenFrom(a, R_WA, b, work.R_WB[pair.body_b]);
+    const Wrench<Real> on_b =
+        JoiningWrench(model, joined, pair, controls, update_springs, motion, work);
+    const Vec3<Real> f_W = R_WA * on_b.f_W, t_W = R_WA * on_b.t_W;
+    work.wrench[pair.body_b].f_W += f_W;
+    work.wrench[pair.body_b].t_W += t_W;
+    work.wrench[pair.body_a].f_W -= f_W;
+    work.wrench[pair.body_a].t_W -= t_W + Cross(b.p_WB - a.p_WB, f_W);
   }
 }
 

@@ -5,13 +5,14 @@
 #include "body_motion.h"
 #include "elements.h"
 #include "engine_model.h"
+#include "flatten.h"
 #include "point_contact.h"
 #include "tire_group.h"
 
 namespace dbd {
 
 template <class Real>
-void LocateBodies(const EngineState<Real>& state, Workspace<Real>& work) {
+DBD_STAGE void LocateBodies(const EngineState<Real>& state, Workspace<Real>& work) {
   for (std::size_t i = 0; i < state.bodies.size(); ++i) {
     work.R_WB[i] = RotationMatrix(state.bodies[i].q_WB);
   }
@@ -21,14 +22,8 @@ void LocateBodies(const EngineState<Real>& state, Workspace<Real>& work) {
 template <class Real, class Engine>
 void SetElementForces(const Engine& engine, const WheelControls<Real>& controls,
                       const EngineState<Real>& state, Workspace<Real>& work) {
-  const auto& model = *engine.vehicle;
-  MovePoints(engine.attachments, state, work);
-  std::fill(work.point_force.begin(), work.point_force.end(), Vec3<Real>{});
-  if (state.step % engine.spring_every == 0) UpdateSprings(model, engine.attachments, work);
-  AddSpringForces(model, engine.attachments, work);
-  AddLinkForces(model, engine.attachments, controls, work);
-  GatherPointForces(engine.attachments, work);
-  AddJointTorques(model, controls, state, work);
+  SetJoiningForces(*engine.vehicle, engine.joined, controls, state.step % engine.spring_every == 0,
+                   state, work);
 }
 
 /// All forces on all bodies at the present time, into work.wrench; spins and slips advance.

@@ -30,11 +30,12 @@ double CouplingTorque(const DifferentialModel& differential) {
 
 EngineModel::EngineModel(const VehicleModel& vehicle_model)
     : vehicle(&vehicle_model),
-      attachments(vehicle_model),
+      joined(FindJoinedBodies(vehicle_model, [](const auto& p, const auto& q) { return p == q; })),
       centre_coupling(CouplingTorque(vehicle_model.powertrain.centre)),
       step(vehicle_model.steps.construction) {
   for (const WheelModel& wheel : vehicle->wheels) {
     patterns.push_back(MakeTirePattern(wheel.tire));
+    tires.push_back(MakeTireNumbers(wheel.tire, step));
     carrier_inertia.push_back(CarrierInertia(vehicle_model, wheel.body));
   }
   for (const AxleModel& axle : vehicle->axles) {

@@ -6,7 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "attachment_points.h"
+#include "joined_bodies.h"
+#include "tire_numbers.h"
 #include "tire_pattern.h"
 
 namespace dbd {
@@ -24,8 +25,9 @@ struct EngineModel {
   ~EngineModel();  // in a translation unit for any processor
 
   const VehicleModel* vehicle;
-  AttachmentPoints attachments;
-  std::vector<TirePattern> patterns;    ///< like vehicle->wheels
+  JoinedBodies joined;
+  std::vector<TirePattern> patterns;       ///< like vehicle->wheels
+  std::vector<TireNumbers<double>> tires;  ///< like vehicle->wheels
   std::vector<double> carrier_inertia;  ///< about the spin axis, of each wheel's share of its body
   std::vector<double> axle_coupling;    ///< like vehicle->axles: differential's most [N m]
   double centre_coupling = 0;           ///< of the differential between axles [N m]

@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "attachment_points.h"
 #include "vec.h"
 
 namespace dbd {
@@ -116,12 +115,10 @@ struct TireReport {
 template <class Real>
 struct Workspace {
   std::vector<Mat3<Real>> R_WB;
-  std::vector<Wrench<Real>> wrench;       // of this step
-  std::vector<BodyPoint<Real>> points;    // like AttachmentPoints::points
-  std::vector<Vec3<Real>> point_force;    // on their bodies
-  std::vector<Vec3<Real>> spring_push_W;  // held between spring updates
-  std::vector<Real> spring_force;         // compression positive [N]
-  std::vector<Real> link_force;           // tension positive [N]
+  std::vector<Wrench<Real>> wrench;     // of this step
+  std::vector<Vec3<Real>> spring_push;  // held between spring updates, in axes of their body a
+  std::vector<Real> spring_force;       // compression positive [N]
+  std::vector<Real> link_force;         // tension positive [N]
   std::vector<TireReport<Real>> tires;
   std::vector<Real> contact_force;   // normal [N]
   std::vector<Real> friction_force;  // [N] or [N m]
@@ -130,9 +127,7 @@ struct Workspace {
   explicit Workspace(const Model& model)
       : R_WB(model.bodies.size()),
         wrench(model.bodies.size()),
-        points(AttachmentPoints::Most(model)),
-        point_force(points.size()),
-        spring_push_W(model.springs.size()),
+        spring_push(model.springs.size()),
         spring_force(model.springs.size()),
         link_force(model.links.size()),
         tires(model.wheels.size()),

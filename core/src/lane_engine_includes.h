@@ -31,10 +31,10 @@
 #include <string>
 #include <vector>
 
-#include "attachment_points.h"
 #include "corners.h"
 #include "engine_model.h"
 #include "facet_search.h"
+#include "joined_bodies.h"
 #include "tire_pattern.h"
 
 // GCC alone lets a pragma choose the instruction set of templates; without optimisation GCC 12

@@ -7,6 +7,7 @@
 #include "flatten.h"
 #include "initial_state.h"
 #include "lane_engine.h"
+#include "lane_model.h"
 #include "lane_state.h"
 #include "lane_surface.h"
 
@@ -143,7 +144,7 @@ class PackEngine final : public LaneEngine {
     }
   }
 
-  EngineModel model_;
+  LaneModel<S> model_;
   LaneSurface<Real> surface_;
   EngineState<Real> state_;
   Workspace<Real> work_;

@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <type_traits>
 
 #include "corner_columns.h"
@@ -47,17 +46,18 @@ class LaneGrid {
            radius < 0.5 * std::min(grid.cell_x, grid.cell_y);
   }
 
-  /// Those four cells. Nothing at the edge of the grid, beyond which heights continue level.
-  std::optional<LanePatch<Real>> Patch(const GroundGrid& grid, const Real& x, const Real& y) const {
+  /// Those four cells.
+  LanePatch<Real> Patch(const GroundGrid& grid, const Real& x, const Real& y) const {
     const Node east = NearestNode(x_, x), north = NearestNode(y_, y);
-    const Real half{S(0.5)};
-    if (AnyOf(Abs(east.part) > half) || AnyOf(Abs(north.part) > half)) return std::nullopt;
     const auto node = [](const Axis& axis, const Integers& whole) {
       return PatchAxis<Real>{axis.offset, axis.per_metre,
                              Real(__builtin_convertvector(whole, typename Real::Vector))};
     };
+    const Real half{S(0.5)};
+    const auto at_edge = Max(Abs(east.part), Abs(north.part)) > half;
+    const Real sloped = Select(at_edge, Real(S(0)), Real(S(1)));
     return LanePatch<Real>(node(x_, east.whole), node(y_, north.whole),
-                           ReadNodes(grid, east.whole, north.whole), base_height_);
+                           ReadNodes(grid, east.whole, north.whole), base_height_, sloped);
   }
 
   Real HighestNearby(const GroundGrid& grid, const Real& x, const Real& y) const {
@@ -88,9 +88,11 @@ class LaneGrid {
     Integers whole;  // from `first`; never on the edge of the grid
     Real part;       // from the node to the place, in cells
   };
-  struct Corners {
+  struct ColumnsOfDoubles {
     Real south_west, north_west, south_east, north_east;
   };
+  using Corners =
+      std::conditional_t<std::is_same_v<S, float>, CornerColumns<kLanes>, ColumnsOfDoubles>;
 
   static void SetAxis(double from_corner, double cell, int count, int lane, Axis& axis) {
     constexpr double kReach = 16;  // [m] from a lane's origin
@@ -142,8 +144,7 @@ class LaneGrid {
 
   static Corners ReadCorners(const float* pairs, const Integers& index) {
     if constexpr (std::is_same_v<S, float>) {
-      const CornerColumns<kLanes> columns = ReadCornerColumns<kLanes>(pairs, index);
-      return {columns[0], columns[1], columns[2], columns[3]};
+      return ReadCornerColumns<kLanes>(pairs, index);
     } else {
       Corners c;
       for (int i = 0; i < kLanes; ++i) {

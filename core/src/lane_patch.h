@@ -19,20 +19,31 @@ struct PatchAxis {
 };
 
 /// The four cells around a node of a raster, for each lane: where cells are wider than a tire, its
-/// whole print lies on them, and the nodes are read once for all its points. Heights are those that
-/// the raster itself gives, to the last bit, as they must be for a lane not to depend on whether
-/// its neighbours are at the raster's edge.
+/// whole print lies on them, and the nodes are read once for all its points. At the raster's edge
+/// heights continue level, as they do in the raster.
+///
+/// With e and n the ways from the middle node in cells, split in their positive and negative
+/// parts, the four bilinear pieces are one polynomial: no lane asks in which cell it is.
 template <class Real>
 class LanePatch {
  public:
   using S = ScalarOf<Real>;
 
-  LanePatch(const PatchAxis<Real>& x, const PatchAxis<Real>& y, const PatchNodes<Real>& nodes,
-            const Real& base_height)
-      : x_(x), y_(y), nodes_(nodes), base_height_(base_height) {
-    for (int j = 0; j < 3; ++j) {
-      for (int i = 0; i < 2; ++i) rises_[j][i] = nodes[j][i + 1] - nodes[j][i];
-    }
+  /// `sloped`: 1, or 0 in lanes whose patch is at the raster's edge.
+  LanePatch(const PatchAxis<Real>& x, const PatchAxis<Real>& y, const PatchNodes<Real>& h,
+            const Real& base_height, const Real& sloped)
+      : x_(x),
+        y_(y),
+        middle_(h[1][1] + base_height),
+        east_(h[1][2] - h[1][1]),
+        west_(h[1][1] - h[1][0]),
+        north_(h[2][1] - h[1][1]),
+        south_(h[1][1] - h[0][1]),
+        north_east_((h[2][2] - h[2][1]) - east_),
+        north_west_((h[2][1] - h[2][0]) - west_),
+        south_east_(east_ - (h[0][2] - h[0][1])),
+        south_west_(west_ - (h[0][1] - h[0][0])) {
+    SetPlane(h, base_height, sloped);
   }
 
   void Heights(int count, const Real* x, const Real* y, Real* z) const {
@@ -40,47 +51,45 @@ class LanePatch {
   }
 
   /// A plane above the cells: their mean slope, lifted over the highest of the nodes. Ground less
-  /// plane is bilinear in every cell, so that no place between nodes is higher.
+  /// plane is bilinear in every cell, so that no place between nodes is higher. Level at the
+  /// raster's edge, where the ground beyond is.
   GroundPlane<Real> Plane(const Real& x, const Real& y) const {
-    const PatchNodes<Real>& h = nodes_;
-    const Real sixth{S(1.0 / 6)};
-    const Real rise_x = sixth * ((h[0][2] + h[1][2] + h[2][2]) - (h[0][0] + h[1][0] + h[2][0]));
-    const Real rise_y = sixth * ((h[2][0] + h[2][1] + h[2][2]) - (h[0][0] + h[0][1] + h[0][2]));
-    Real level = h[1][1];
-    for (int j = 0; j < 3; ++j) {
-      for (int i = 0; i < 3; ++i) {
-        level = Max(level, h[j][i] - Real(S(i - 1)) * rise_x - Real(S(j - 1)) * rise_y);
-      }
-    }
-    const Real here = base_height_ + level + FromNode(x_, x) * rise_x + FromNode(y_, y) * rise_y;
-    return {here, rise_x * x_.per_metre, rise_y * y_.per_metre};
+    const Real here = level_ + FromNode(x_, x) * rise_x_ + FromNode(y_, y) * rise_y_;
+    return {here, rise_x_ * x_.per_metre, rise_y_ * y_.per_metre};
   }
 
  private:
+  void SetPlane(const PatchNodes<Real>& h, const Real& base_height, const Real& sloped) {
+    const Real sixth = Real(S(1.0 / 6)) * sloped;
+    rise_x_ = sixth * ((h[0][2] + h[1][2] + h[2][2]) - (h[0][0] + h[1][0] + h[2][0]));
+    rise_y_ = sixth * ((h[2][0] + h[2][1] + h[2][2]) - (h[0][0] + h[0][1] + h[0][2]));
+    const auto above = [](const Real& west, const Real& between, const Real& east,
+                          const Real& rise) { return Max(Max(west + rise, between), east - rise); };
+    const Real middle = above(h[1][0], h[1][1], h[1][2], rise_x_);
+    const Real south = above(h[0][0], h[0][1], h[0][2], rise_x_);
+    const Real north = above(h[2][0], h[2][1], h[2][2], rise_x_);
+    level_ = base_height + above(south, middle, north, rise_y_);
+  }
+
   /// In cells.
   static Real FromNode(const PatchAxis<Real>& axis, const Real& x) {
     return x * axis.per_metre + axis.offset - axis.node;
   }
 
   Real Height(const Real& x, const Real& y) const {
-    const Real u = x * x_.per_metre + x_.offset, v = y * y_.per_metre + y_.offset;
-    const auto west = u < x_.node, south = v < y_.node;
-    const Real one(1);
-    const Real east_part = u - Select(west, x_.node - one, x_.node);
-    const Real north_part = v - Select(south, y_.node - one, y_.node);
-    std::array<Real, 3> row;
-    for (int j = 0; j < 3; ++j) {
-      row[j] = Select(west, nodes_[j][0], nodes_[j][1]) +
-               east_part * Select(west, rises_[j][0], rises_[j][1]);
-    }
-    const Real south_z = Select(south, row[0], row[1]), north_z = Select(south, row[1], row[2]);
-    return base_height_ + (south_z + north_part * (north_z - south_z));
+    const Real zero(0), one(1), minus_one(-1);
+    const Real e = FromNode(x_, x), n = FromNode(y_, y);
+    const Real east = Clamp(e, zero, one), west = Clamp(e, minus_one, zero);
+    const Real north = Clamp(n, zero, one), south = Clamp(n, minus_one, zero);
+    return middle_ + (north * north_ + south * south_) +
+           (east * (east_ + north * north_east_ + south * south_east_) +
+            west * (west_ + north * north_west_ + south * south_west_));
   }
 
   PatchAxis<Real> x_, y_;
-  PatchNodes<Real> nodes_;
-  std::array<std::array<Real, 2>, 3> rises_;  // eastwards
-  Real base_height_;
+  Real middle_, east_, west_, north_, south_;               // height and rises per cell
+  Real north_east_, north_west_, south_east_, south_west_;  // how the rises change
+  Real level_{S(0)}, rise_x_{S(0)}, rise_y_{S(0)};          // of the plane
 };
 
 }  // namespace dbd

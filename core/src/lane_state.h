@@ -45,4 +45,18 @@ Struct<double> LaneOf(const Struct<Real>& pack, int lane) {
   return values;
 }
 
+/// The same numbers of another type.
+template <class To, template <class> class Struct>
+Struct<To> NumbersAs(const Struct<double>& values) {
+  constexpr std::size_t kNumbers = sizeof(Struct<double>) / sizeof(double);
+  static_assert(sizeof(Struct<To>) == kNumbers * sizeof(To));
+  double numbers[kNumbers];
+  std::memcpy(numbers, &values, sizeof(values));
+  To converted[kNumbers];
+  for (std::size_t k = 0; k < kNumbers; ++k) converted[k] = static_cast<To>(numbers[k]);
+  Struct<To> result;
+  std::memcpy(&result, converted, sizeof(result));
+  return result;
+}
+
 }  // namespace dbd

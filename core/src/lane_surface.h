@@ -8,6 +8,7 @@
 
 #include "lane_facets.h"
 #include "lane_grid.h"
+#include "lane_soils.h"
 
 namespace dbd {
 
@@ -22,6 +23,7 @@ class LaneSurface {
   explicit LaneSurface(const Ground& ground)
       : ground_(ground), grid_(ground.Grid()), facets_(ground.Facets()) {
     if (facets_) wheel_facets_.resize(kMaxWheels);
+    if (const auto soils = ground.SoilClasses()) soils_.emplace(*soils);
     origins_.fill(Eigen::Vector3d::Zero());
     for (int lane = 0; lane < kLanes; ++lane) SetOrigin(lane, Eigen::Vector3d::Zero());
   }
@@ -84,6 +86,14 @@ class LaneSurface {
     return FacetPatch{*this, lanes, lanes.Plane(x, y)};
   }
 
+  /// Nothing where the ground must be asked for all that there is to know of its soils.
+  std::optional<PlainSoils<Real>> Plain(const Real& x, const Real& y) const {
+    if (!soils_ || !soils_->plain()) return std::nullopt;
+    double wx[kLanes], wy[kLanes];
+    ToWorld(x, y, wx, wy);
+    return soils_->At(wx, wy);
+  }
+
   /// kLanes soils for each of `count` packs of places.
   void Soils(int count, const Real* x, const Real* y, SoilSample* soil) const {
     for (int i = 0; i < count; ++i) {
@@ -139,6 +149,7 @@ class LaneSurface {
   const Ground& ground_;
   std::optional<GroundGrid> grid_;
   std::optional<GroundFacets> facets_;
+  std::optional<LaneSoils<Real>> soils_;
   std::array<Eigen::Vector3d, kLanes> origins_;
   LaneGrid<Real> lane_grid_;
   mutable std::vector<LaneFacets<Real>> wheel_facets_;  // a surface belongs to one pack

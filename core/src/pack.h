@@ -40,8 +40,7 @@ struct alignas(N * sizeof(T)) PackMask {
 
 /// One bit a lane, as AVX-512 has them.
 template <class T, int N>
-  requires(N * sizeof(T) >= 32)
-struct PackMask<T, N, 512> {
+requires(N * sizeof(T) >= 32) struct PackMask<T, N, 512> {
   std::conditional_t<N == 16, std::uint16_t, std::uint8_t> bits;
 };
 
@@ -133,6 +132,10 @@ Pack<T, N> operator/(const Pack<T, N>& a, std::type_identity_t<T> b) {
 template <class T, int N>
 Pack<T, N> operator-(const Pack<T, N>& a) {
   return Pack<T, N>(-a.v);
+}
+template <class T, int N>
+void SetNumber(Pack<T, N>& pack, int lane, double value) {
+  pack.v[lane] = static_cast<T>(value);
 }
 template <class T, int N>
 T NumberOf(const Pack<T, N>& pack, int lane) {

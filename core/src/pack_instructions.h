@@ -73,14 +73,19 @@ inline bool AnyOf(const PackMask<double, 4>& mask) {
 #endif
 
 #if DBD_PACK_TARGET >= 512
+// With all lanes in the mask the compiler drops it; without one GCC 12 warns of its own headers
+// (bug 105593).
+inline constexpr __mmask16 kAllOfSixteen = 0xffff;
+inline constexpr __mmask8 kAllOfEight = 0xff;
+
 inline Pack<float, 16> Min(const Pack<float, 16>& a, const Pack<float, 16>& b) {
-  return Pack<float, 16>(_mm512_min_ps(a.v, b.v));
+  return Pack<float, 16>(_mm512_mask_min_ps(a.v, kAllOfSixteen, a.v, b.v));
 }
 inline Pack<float, 16> Max(const Pack<float, 16>& a, const Pack<float, 16>& b) {
-  return Pack<float, 16>(_mm512_max_ps(b.v, a.v));
+  return Pack<float, 16>(_mm512_mask_max_ps(a.v, kAllOfSixteen, b.v, a.v));
 }
 inline Pack<float, 16> Sqrt(const Pack<float, 16>& a) {
-  return Pack<float, 16>(_mm512_sqrt_ps(a.v));
+  return Pack<float, 16>(_mm512_mask_sqrt_ps(a.v, kAllOfSixteen, a.v));
 }
 inline PackMask<float, 16> operator<(const Pack<float, 16>& a, const Pack<float, 16>& b) {
   return {_mm512_cmp_ps_mask(a.v, b.v, _CMP_LT_OQ)};
@@ -94,13 +99,13 @@ inline Pack<float, 16> Select(const PackMask<float, 16>& mask, const Pack<float,
 }
 inline bool AnyOf(const PackMask<float, 16>& mask) { return mask.bits != 0; }
 inline Pack<double, 8> Min(const Pack<double, 8>& a, const Pack<double, 8>& b) {
-  return Pack<double, 8>(_mm512_min_pd(a.v, b.v));
+  return Pack<double, 8>(_mm512_mask_min_pd(a.v, kAllOfEight, a.v, b.v));
 }
 inline Pack<double, 8> Max(const Pack<double, 8>& a, const Pack<double, 8>& b) {
-  return Pack<double, 8>(_mm512_max_pd(b.v, a.v));
+  return Pack<double, 8>(_mm512_mask_max_pd(a.v, kAllOfEight, b.v, a.v));
 }
 inline Pack<double, 8> Sqrt(const Pack<double, 8>& a) {
-  return Pack<double, 8>(_mm512_sqrt_pd(a.v));
+  return Pack<double, 8>(_mm512_mask_sqrt_pd(a.v, kAllOfEight, a.v));
 }
 inline PackMask<double, 8> operator<(const Pack<double, 8>& a, const Pack<double, 8>& b) {
   return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_LT_OQ)};

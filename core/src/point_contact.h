@@ -5,6 +5,7 @@
 #include <array>
 
 #include "elements.h"
+#include "flatten.h"
 
 namespace dbd {
 
@@ -153,8 +154,9 @@ void AddAppliedLoads(const Model& model, Workspace<Real>& work) {
 
 /// All of the above; costs nothing for a vehicle without them.
 template <class Real, class Model, class Surface>
-void AddContactsAndLoads(const Model& model, const Surface& ground, double step, bool sample_ground,
-                         EngineState<Real>& state, Workspace<Real>& work) {
+DBD_STAGE void AddContactsAndLoads(const Model& model, const Surface& ground, double step,
+                                   bool sample_ground, EngineState<Real>& state,
+                                   Workspace<Real>& work) {
   if (sample_ground) SamplePointContacts(model, ground, work, state);
   AddContactForces(model, step, state, work);
   AddFrictionForces(model, step, state, work);

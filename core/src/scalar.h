@@ -39,6 +39,12 @@ T NumberOf(T number, int /*lane*/) {
   return number;
 }
 
+/// Puts a number into one lane.
+template <std::floating_point T>
+void SetNumber(T& number, int /*lane*/, double value) {
+  number = static_cast<T>(value);
+}
+
 template <std::floating_point T>
 T Select(bool mask, T yes, T no) {
   return mask ? yes : no;

@@ -38,7 +38,8 @@ struct ContactSums {
   Real x{0}, z{0}, slope_x{0}, slope_y{0};
 };
 
-/// Penetrations at one angle in the three planes, and the slope of the ground across them.
+/// One row of points, at the same angle in the three planes: how deep each is below the ground,
+/// seen in the tire frame, and the slope of the ground across the planes.
 template <class Real>
 struct PointRow {
   std::array<Real, kTirePlanes> penetration;
@@ -51,28 +52,26 @@ struct SegmentSums {
   Real area{0}, along{0}, height{0}, rise{0};  // area times 1, t, ground above the tire point, rise
 };
 
-/// Adds plane `j` of segment `i`: penetration p(t) = p0 + b t - q t^2 for t in [0, 1], counted
-/// where it is positive.
-template <class Real, class Pattern>
-void AddSegment(const Pattern& pattern, int i, int j, const PointRow<Real>& here,
+/// Adds plane `j` of the segment that begins at `point`: penetration p(t) = p0 + b t - q t^2 for t
+/// in [0, 1], counted where it is positive.
+template <class Real, class Number>
+void AddSegment(const TirePoint<Number>& point, int j, const PointRow<Real>& here,
                 const PointRow<Real>& next, SegmentSums<Real>& row, ContactSums<Real>& sums) {
   using S = ScalarOf<Real>;
   const Real p0 = here.penetration[j];
   const Real change = next.penetration[j] - p0;
-  const Real q = ToLanes<Real>(pattern.bulge[i]);
-  const Real b = change + q;
-  const Real disc = b * b + ToLanes<Real>(4 * pattern.bulge[i]) * p0;
-  if (!AnyOf(disc > Real(0))) return;
+  const Real b = change + ToLanes<Real>(point.bulge);
+  const Real disc = b * b + ToLanes<Real>(point.four_bulge) * p0;
   const Real root = Sqrt(Max(disc, Real(0)));
-  const Real scale = ToLanes<Real>(pattern.half_by_bulge[i]);
+  const Real scale = ToLanes<Real>(point.half_by_bulge);
   const Real t0 = Clamp((b - root) * scale, Real(0), Real(1));
   const Real t1 = Clamp((b + root) * scale, Real(0), Real(1));
   const Real both = t0 + t1;
-  const Real half_b = Real(S(0.5)) * b, third_q = ToLanes<Real>(pattern.bulge[i] / 3);
+  const Real half_b = Real(S(0.5)) * b, third_q = ToLanes<Real>(point.third_bulge);
   const Real mean = p0 + half_b * both - third_q * (both * both - t0 * t1);
-  const Real area = ToLanes<Real>(pattern.length[i]) * Max((t1 - t0) * mean, Real(0));
+  const Real area = ToLanes<Real>(point.length) * Max((t1 - t0) * mean, Real(0));
   const Real t = Real(S(0.5)) * both;
-  const Real rise = ToLanes<Real>(pattern.z[i + 1] - pattern.z[i]) + change;
+  const Real rise = ToLanes<Real>(point.rise) + change;
   sums.area[j] = sums.area[j] + area;
   row.area = row.area + area;
   row.along = row.along + area * t;
@@ -80,18 +79,16 @@ void AddSegment(const Pattern& pattern, int i, int j, const PointRow<Real>& here
   row.rise = row.rise + area * rise;
 }
 
-/// Adds segment `i`, all planes.
-template <class Real, class Pattern>
-void AddSegments(const Pattern& pattern, int i, const PointRow<Real>& here,
+/// Adds the segment between two rows, all planes.
+template <class Real, class Number>
+void AddSegments(const TirePoint<Number>& point, const PointRow<Real>& here,
                  const PointRow<Real>& next, ContactSums<Real>& sums) {
   using S = ScalarOf<Real>;
   SegmentSums<Real> row;
-  for (int j = 0; j < kTirePlanes; ++j) AddSegment(pattern, i, j, here, next, row, sums);
-  if (!AnyOf(row.area > Real(0))) return;
-  sums.x = sums.x + ToLanes<Real>(pattern.x[i]) * row.area +
-           ToLanes<Real>(pattern.length[i]) * row.along;
-  sums.z = sums.z + ToLanes<Real>(pattern.z[i]) * row.area + row.height;
-  sums.slope_x = sums.slope_x + ToLanes<Real>(pattern.by_length[i]) * row.rise;
+  for (int j = 0; j < kTirePlanes; ++j) AddSegment(point, j, here, next, row, sums);
+  sums.x = sums.x + ToLanes<Real>(point.x) * row.area + ToLanes<Real>(point.length) * row.along;
+  sums.z = sums.z + ToLanes<Real>(point.z) * row.area + row.height;
+  sums.slope_x = sums.slope_x + ToLanes<Real>(point.by_length) * row.rise;
   sums.slope_y = sums.slope_y + row.area * (Real(S(0.5)) * (here.slope_y + next.slope_y));
 }
 
@@ -100,10 +97,10 @@ void AddSegments(const Pattern& pattern, int i, const PointRow<Real>& here,
 /// left, and the slope across the planes brings it back over the tire point.
 template <class Real, class Number>
 PointRow<Real> ToTireFrame(const std::array<Real, kTirePlanes>& vertical, const Mat3<Real>& R_WT,
-                           const Number& half_span) {
+                           const Number& span) {
   const Real rise = vertical[2] - vertical[0];
   PointRow<Real> row;
-  row.slope_y = rise * R_WT.z.z / (ToLanes<Real>(2 * half_span) + rise * R_WT.y.z);
+  row.slope_y = rise * R_WT.z.z / (ToLanes<Real>(span) + rise * R_WT.y.z);
   const Real factor = R_WT.z.z - row.slope_y * R_WT.y.z;
   for (int j = 0; j < kTirePlanes; ++j) row.penetration[j] = vertical[j] * factor;
   return row;
@@ -123,12 +120,13 @@ RowRange ActiveRows(const Pattern& pattern, const Mat3<Real>& R_WT, const Vec3<R
   using S = ScalarOf<Real>;
   constexpr double kBulgeMargin = 1.01;  // the circle lies up to 0.6 % below its points' chords
   const Vec3<Real> up{Real(-1) * bound.slope_x, Real(-1) * bound.slope_y, Real(1)};
-  const Real hub = p_WH.z - bound.height - ToLanes<Real>(pattern.half_span) * Abs(Dot(up, R_WT.y));
+  const Real hub =
+      p_WH.z - bound.height - ToLanes<Real>(pattern.size.half_span) * Abs(Dot(up, R_WT.y));
   const Real along = Real(S(kBulgeMargin)) * Dot(up, R_WT.x);
   const Real upward = Real(S(kBulgeMargin)) * Dot(up, R_WT.z);
   const auto touches = [&](int i) {
-    const Real height =
-        hub + ToLanes<Real>(pattern.x[i]) * along + ToLanes<Real>(pattern.z[i]) * upward;
+    const Real height = hub + ToLanes<Real>(pattern.points[i].x) * along +
+                        ToLanes<Real>(pattern.points[i].z) * upward;
     return AnyOf(height < Real(0));
   };
   const int end = pattern.count - 1;
@@ -144,87 +142,115 @@ RowRange ActiveRows(const Pattern& pattern, const Mat3<Real>& R_WT, const Vec3<R
 template <class Real>
 inline constexpr int kRowsAtOnce = LaneTraits<Real>::kLanes == 1 ? kMaxLowerPoints : 1;
 
-/// Vertical penetrations of one row: the same angle in the three planes.
-template <class Real>
-using RowHeights = std::array<Real, kTirePlanes>;
-
-/// Of `count` rows from `first` on.
+/// Writes `count` rows of points from `first` on.
 template <class Real, class Pattern, class Surface>
-void VerticalPenetrations(const Pattern& pattern, const Surface& ground, const Mat3<Real>& R_WT,
-                          const Vec3<Real>& p_WH, int first, int count, RowHeights<Real>* rows) {
+void MeasureRows(const Pattern& pattern, const Surface& ground, const Mat3<Real>& R_WT,
+                 const Vec3<Real>& p_WH, int first, int count, PointRow<Real>* rows) {
   constexpr int kMost = kRowsAtOnce<Real> * kTirePlanes;
   Real x[kMost], y[kMost], z[kMost], tire_z[kMost];
-  const Vec3<Real> across = ToLanes<Real>(pattern.half_span) * R_WT.y;
+  const Vec3<Real> across = ToLanes<Real>(pattern.size.half_span) * R_WT.y;
   const std::array<Vec3<Real>, kTirePlanes> centers = {p_WH - across, p_WH, p_WH + across};
   for (int i = 0; i < count; ++i) {
-    const Vec3<Real> down =
-        ToLanes<Real>(pattern.x[first + i]) * R_WT.x + ToLanes<Real>(pattern.z[first + i]) * R_WT.z;
+    const auto& point = pattern.points[first + i];
+    const Vec3<Real> down = ToLanes<Real>(point.x) * R_WT.x + ToLanes<Real>(point.z) * R_WT.z;
     for (int j = 0; j < kTirePlanes; ++j) {
-      const Vec3<Real> p = centers[j] + down;
-      x[i * kTirePlanes + j] = p.x;
-      y[i * kTirePlanes + j] = p.y;
-      tire_z[i * kTirePlanes + j] = p.z;
+      x[i * kTirePlanes + j] = centers[j].x + down.x;
+      y[i * kTirePlanes + j] = centers[j].y + down.y;
+      tire_z[i * kTirePlanes + j] = centers[j].z + down.z;
     }
   }
   ground.Heights(count * kTirePlanes, x, y, z);
   for (int i = 0; i < count; ++i) {
+    std::array<Real, kTirePlanes> vertical;
     for (int j = 0; j < kTirePlanes; ++j) {
-      rows[i][j] = z[i * kTirePlanes + j] - tire_z[i * kTirePlanes + j];
+      vertical[j] = z[i * kTirePlanes + j] - tire_z[i * kTirePlanes + j];
     }
+    rows[i] = ToTireFrame(vertical, R_WT, pattern.size.span);
   }
+}
+
+/// Without the rows at both ends that no part of a segment between them touches the ground beside:
+/// what they would add is nothing, in every lane.
+template <class Real, class Pattern>
+RowRange TouchingRows(const Pattern& pattern, const PointRow<Real>* rows, RowRange range) {
+  const auto touches = [&](int i) {
+    // A segment's parabola rises by at most a sagitta above the deeper of its ends.
+    const auto &a = rows[i].penetration, &b = rows[i + 1].penetration;
+    const Real deepest = Max(Max(Max(a[0], a[1]), a[2]), Max(Max(b[0], b[1]), b[2]));
+    return AnyOf(deepest + ToLanes<Real>(pattern.points[i].bulge) > Real(0));
+  };
+  while (range.first < range.last && !touches(range.first)) ++range.first;
+  while (range.first < range.last && !touches(range.last - 1)) --range.last;
+  return range;
+}
+
+template <class Real, class Pattern, class Surface>
+ContactSums<Real> SumContact(const Pattern& pattern, const Surface& ground, const Mat3<Real>& R_WT,
+                             const Vec3<Real>& p_WH, const RowRange& range) {
+  std::array<PointRow<Real>, kMaxLowerPoints> rows;
+  for (int i = range.first; i <= range.last; i += kRowsAtOnce<Real>) {
+    const int count = std::min(kRowsAtOnce<Real>, range.last - i + 1);
+    MeasureRows(pattern, ground, R_WT, p_WH, i, count, &rows[i]);
+  }
+  ContactSums<Real> sums;
+  const RowRange touching = TouchingRows(pattern, rows.data(), range);
+  for (int i = touching.first; i < touching.last; ++i) {
+    AddSegments(pattern.points[i], rows[i], rows[i + 1], sums);
+  }
+  return sums;
 }
 
 /// Deflection of a tire on flat ground that displaces the same area: A = (4/3) sqrt(2R) d^1.5
 /// (1 - 3d/20R), inverted.
 template <class Real, class Number>
-Real EquivalentDeflection(const Real& area, const Number& radius) {
+Real EquivalentDeflection(const Real& area, const TireSizes<Number>& tire) {
   using S = ScalarOf<Real>;
-  const Real scaled = area * ToLanes<Real>(0.75 / (std::numbers::sqrt2 * radius * radius));
+  const Real scaled = area * ToLanes<Real>(tire.by_flat_area);
   const Real root = Cbrt(scaled);
   const Real ratio = root * root;
-  return ToLanes<Real>(radius) * ratio * (Real(1) + Real(S(0.1)) * ratio);
+  return ToLanes<Real>(tire.radius) * ratio * (Real(1) + Real(S(0.1)) * ratio);
 }
 
-/// Of the lanes that touch the ground.
-template <class Real, class Pattern, class Surface, class Mask>
-void SetContactSoil(const Pattern& pattern, const Surface& ground, const Mask& touching,
-                    TireContact<Real>& contact) {
+/// Everything that the ground knows of the soil at one place per lane.
+template <class Real, class Surface, class Sizes>
+void AskForSoil(const Surface& ground, const Real& x, const Real& y, const Sizes& tire,
+                TireContact<Real>& contact) {
   using S = ScalarOf<Real>;
   constexpr int kLanes = LaneTraits<Real>::kLanes;
   S cone_index[kLanes], friction[kLanes];
   SoilSample soil[kLanes];
-  const Real x = contact.p_WH.x + contact.p_HC_W.x, y = contact.p_WH.y + contact.p_HC_W.y;
   ground.Soils(1, &x, &y, soil);
   for (int i = 0; i < kLanes; ++i) {
     cone_index[i] = static_cast<S>(soil[i].cone_index);
     friction[i] = static_cast<S>(soil[i].friction_limit);
   }
-  const auto set = [&](const Real& value, Real& kept) { kept = Select(touching, value, kept); };
-  set(LaneTraits<Real>::Load(cone_index), contact.cone_index);
-  set(LaneTraits<Real>::Load(friction), contact.friction_limit);
-  const SoilRule<Real> rule = MakeSoilRule(soil, pattern, contact.deflection);
-  set(rule.model, contact.rule.model);
-  set(rule.capacity, contact.rule.capacity);
-  set(rule.shear_rate, contact.rule.shear_rate);
-  set(rule.resistance, contact.rule.resistance);
+  contact.cone_index = LaneTraits<Real>::Load(cone_index);
+  contact.friction_limit = LaneTraits<Real>::Load(friction);
+  contact.rule = MakeSoilRule(soil, tire, contact.deflection);
 }
 
-template <class Real, class Pattern, class Surface>
-ContactSums<Real> SumContact(const Pattern& pattern, const Surface& ground, const Mat3<Real>& R_WT,
-                             const Vec3<Real>& p_WH, const RowRange& rows) {
-  RowHeights<Real> vertical[kRowsAtOnce<Real>];
-  ContactSums<Real> sums;
-  PointRow<Real> here;
-  for (int block = rows.first; block <= rows.last; block += kRowsAtOnce<Real>) {
-    const int count = std::min(kRowsAtOnce<Real>, rows.last - block + 1);
-    VerticalPenetrations(pattern, ground, R_WT, p_WH, block, count, vertical);
-    for (int i = block; i < block + count; ++i) {
-      const PointRow<Real> next = ToTireFrame(vertical[i - block], R_WT, pattern.half_span);
-      if (i > rows.first) AddSegments(pattern, i - 1, here, next, sums);
-      here = next;
+/// In the lanes that touch the ground.
+template <class Real, class Pattern, class Surface, class Mask>
+void SetContactSoil(const Pattern& pattern, const Surface& ground, const Mask& touching,
+                    TireContact<Real>& contact) {
+  const Real x = contact.p_WH.x + contact.p_HC_W.x, y = contact.p_WH.y + contact.p_HC_W.y;
+  const auto set = [&](const Real& value, Real& kept) { kept = Select(touching, value, kept); };
+  if constexpr (requires { ground.Plain(x, y); }) {
+    if (const auto soil = ground.Plain(x, y)) {
+      set(soil->cone_index, contact.cone_index);
+      set(soil->friction_limit, contact.friction_limit);
+      set(soil->traction_model, contact.rule.model);
+      return;
     }
   }
-  return sums;
+  TireContact<Real> met = contact;
+  AskForSoil(ground, x, y, pattern.size, met);
+  set(met.cone_index, contact.cone_index);
+  set(met.friction_limit, contact.friction_limit);
+  set(met.rule.model, contact.rule.model);
+  set(met.rule.capacity, contact.rule.capacity);
+  set(met.rule.shear_rate, contact.rule.shear_rate);
+  set(met.rule.resistance, contact.rule.resistance);
 }
 
 /// `shape` gives heights no higher than the plane `bound`, `ground` the soil under them.
@@ -246,11 +272,11 @@ void SampleContactOn(const Pattern& pattern, const Shape& shape, const GroundPla
       Select(touching,
              Normalized(R_WT.z - (scale * sums.slope_x) * R_WT.x - (scale * sums.slope_y) * R_WT.y),
              contact.normal_W);
-  const Real y = ToLanes<Real>(pattern.half_span) * (sums.area[2] - sums.area[0]);
+  const Real y = ToLanes<Real>(pattern.size.half_span) * (sums.area[2] - sums.area[0]);
   contact.p_HC_W = Select(touching, R_WT * Vec3<Real>{scale * sums.x, scale * y, scale * sums.z},
                           contact.p_HC_W);
   contact.deflection = Select(
-      touching, EquivalentDeflection(Real(S(1.0 / kTirePlanes)) * area, pattern.radius), Real(0));
+      touching, EquivalentDeflection(Real(S(1.0 / kTirePlanes)) * area, pattern.size), Real(0));
   SetContactSoil(pattern, ground, touching, contact);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "engine_state.h"
+#include "tire_numbers.h"
 #include "traction_models.h"
 
 namespace dbd {
@@ -17,6 +18,10 @@ namespace dbd {
 // - Below about 1 m/s those springs get a damper (`kBristleTime` times their stiffness).
 // - Spin is advanced semi-implicitly, and the same updated force acts on the wheel's body.
 // - The deflection follows the hub along the contact normal between samples (SPLIT).
+//
+// The law is written in stages, each of which goes over all wheels before the next begins: within
+// a wheel nearly every operation waits for the last, and the processor fills the waiting time with
+// the next wheel only where that is near.
 
 // About 0.3 of critical for a vehicle that rocks to and fro on its shear springs, near 2 Hz.
 inline constexpr double kBristleTime = 0.04;     // [s]
@@ -28,8 +33,10 @@ inline constexpr double kEllipseFloor = 0.02;    // least share of (lateral / fu
 template <class Real>
 struct TireLaw {
   Vec3<Real> normal_W, forward_W, left_W;  // contact frame
+  Real vx, vy;                             // of the contact point, along forward and left
   Real load;
   Real rolling_radius;
+  Real capacity;          // shear force at full slip / load
   Real traction0;         // shear force at the spin of the last step
   Real traction_by_spin;  // its derivative [N s/rad]
   Real traction_limit;    // shear force at full slip
@@ -61,20 +68,58 @@ Real NormalLoad(const Tire& tire, const TireContact<Real>& contact, const Vec3<R
   return Select(deflection > zero, Max(touching, zero), zero);
 }
 
-/// Longitudinal part: relaxed slip, traction and its slope against spin.
+/// Stage 1: contact frame, speeds and wheel load.
 template <class Real, class Tire>
-void SetTraction(const Tire& tire, const WheelState<Real>& wheel, const Real& vx, double step,
-                 TireLaw<Real>& law) {
+void MeetGround(const Tire& tire, const BodyState<Real>& body, const Vec3<Real>& hub_lever,
+                const Vec3<Real>& y_W, const TireContact<Real>& contact, TireLaw<Real>& law) {
+  const Vec3<Real> v_C = ContactVelocity(body, hub_lever, y_W, contact.p_HC_W);
+  law.normal_W = contact.normal_W;
+  law.forward_W = Normalized(Cross(y_W, contact.normal_W));
+  law.left_W = Cross(law.normal_W, law.forward_W);
+  law.load = NormalLoad(tire, contact, body.p_WB + hub_lever, v_C);
+  law.vx = Dot(v_C, law.forward_W);
+  law.vy = Dot(v_C, law.left_W);
+}
+
+/// Stage 2: what the soil can take, and what it resists.
+template <class Real, class Tire>
+void MeetSoil(const Tire& tire, const WheelState<Real>& wheel, TireLaw<Real>& law) {
   using S = ScalarOf<Real>;
+  const TireContact<Real>& contact = wheel.contact;
+  const Real deflection = law.load * ToLanes<Real>(tire.by_stiffness);
+  law.rolling_radius = RollingRadius(tire.radius, deflection);
+  const Real mobility = MobilityNumber(contact.cone_index, law.load, deflection, tire.area,
+                                       tire.by_height, tire.by_shape);
+  law.curve = BrixiusCurve(tire.traction, mobility, wheel.slip);
+  SelectTractionModel(tire, contact, law.load, law.curve);
+  law.capacity = Min(law.curve.capacity, contact.friction_limit);
+  law.traction_limit = law.capacity * law.load;
+  const Real v1{S(kResistanceSpeed)};
+  const Real rolling = law.load * law.vx / Sqrt(law.vx * law.vx + v1 * v1);
+  law.resistance = Real(-1) * rolling * law.curve.resistance;
+  law.carcass_torque = law.curve.carcass * rolling * law.rolling_radius;
+}
+
+/// The damper of the shear springs, per speed, fading out above walking pace.
+template <class Real, class Tire>
+Real BristleDamper(const Tire& tire, const Real& vx) {
+  using S = ScalarOf<Real>;
+  const Real low = vx * Real(S(1 / kBristleSpeed));
+  return ToLanes<Real>(tire.bristle_damping) / (Real(1) + low * low);
+}
+
+/// Stage 3, longitudinal: relaxed slip, traction and its slope against spin.
+template <class Real, class Tire>
+void SetTraction(const Tire& tire, const WheelState<Real>& wheel, TireLaw<Real>& law) {
   const Real one(1);
-  const auto sigma = tire.relaxation_length;
+  const Real& vx = law.vx;
   const Real u = wheel.spin * law.rolling_radius;
   const Real speed = Max(Abs(u), Abs(vx));
-  const Real gain = ToLanes<Real>(step / sigma) / (one + speed * ToLanes<Real>(step / sigma));
-  const Real low = vx * Real(S(1 / kBristleSpeed));
-  const Real damper = ToLanes<Real>(kBristleTime / sigma) / (one + low * low);
+  const Real ratio = ToLanes<Real>(tire.step_by_length);
+  const Real gain = ratio / (one + speed * ratio);
+  const Real damper = BristleDamper(tire, vx);
   law.slip_gain = gain * law.rolling_radius;
-  law.slip_base = gain * (wheel.slip * ToLanes<Real>(sigma / step) - vx);
+  law.slip_base = gain * (wheel.slip * ToLanes<Real>(tire.length_by_step) - vx);
 
   const Real relaxed = Clamp(law.slip_base + law.slip_gain * wheel.spin, Real(-1), one);
   const Real slip = Clamp(relaxed + damper * (u - vx), Real(-1), one);
@@ -83,60 +128,21 @@ void SetTraction(const Tire& tire, const WheelState<Real>& wheel, const Real& vx
   law.traction_by_spin = shear.stiffness * (law.slip_gain + damper * law.rolling_radius);
 }
 
-/// Lateral part: relaxed slip angle, exponential law, ellipse with the traction in use.
+/// Stage 4, lateral: relaxed slip angle, exponential law, ellipse with the traction in use.
 template <class Real, class Tire>
-void SetLateral(const Tire& tire, const Real& vx, const Real& vy, double step, const Real& capacity,
-                WheelState<Real>& wheel, TireLaw<Real>& law) {
+void SetLateral(const Tire& tire, WheelState<Real>& wheel, TireLaw<Real>& law) {
   using S = ScalarOf<Real>;
   const Real one(1);
-  const Real ratio = ToLanes<Real>(step / tire.relaxation_length);
-  const Real relaxed = (wheel.slip_angle + ratio * vy) / (one + ratio * Abs(vx));
+  const Real ratio = ToLanes<Real>(tire.step_by_length);
+  const Real relaxed = (wheel.slip_angle + ratio * law.vy) / (one + ratio * Abs(law.vx));
   wheel.slip_angle = Select(law.load > Real(0), Clamp(relaxed, Real(-1), one), Real(0));
-  const Real low = vx * Real(S(1 / kBristleSpeed));
-  const Real damper = ToLanes<Real>(kBristleTime / tire.relaxation_length) / (one + low * low);
-  const Real angle = wheel.slip_angle + damper * vy;
+  const Real angle = wheel.slip_angle + BristleDamper(tire, law.vx) * law.vy;
   const Real use = law.traction0 / Max(law.traction_limit, Real(S(kLeastLoad)));
   const Real ellipse = Sqrt(Max(one - use * use, Real(S(kEllipseFloor))));
-  const Real limit =
-      ToLanes<Real>(tire.lateral_limit / tire.traction.traction_max) * capacity * law.load;
-  const Real size = limit * ellipse * (one - Exp(ToLanes<Real>(-tire.lateral_rate) * Abs(angle)));
+  const Real limit = ToLanes<Real>(tire.lateral_share) * law.capacity * law.load;
+  const Real size =
+      limit * ellipse * (one - Exp(Real(-1) * ToLanes<Real>(tire.lateral_rate) * Abs(angle)));
   law.lateral = Select(angle < Real(0), size, Real(-1) * size);
-}
-
-/// Everything about one tire that does not need the new spin.
-template <class Real, class Wheel>
-TireLaw<Real> EvaluateTire(const Wheel& model, const BodyState<Real>& body,
-                           const Vec3<Real>& hub_lever, const Vec3<Real>& y_W, double step,
-                           WheelState<Real>& wheel) {
-  using S = ScalarOf<Real>;
-  const auto& tire = model.tire;
-  const TireContact<Real>& contact = wheel.contact;
-  const Vec3<Real> v_C = ContactVelocity(body, hub_lever, y_W, contact.p_HC_W);
-
-  TireLaw<Real> law;
-  law.normal_W = contact.normal_W;
-  law.forward_W = Normalized(Cross(y_W, contact.normal_W));
-  law.left_W = Cross(law.normal_W, law.forward_W);
-  law.load = NormalLoad(tire, contact, body.p_WB + hub_lever, v_C);
-  const Real vx = Dot(v_C, law.forward_W);
-  const Real vy = Dot(v_C, law.left_W);
-
-  const Real deflection = law.load * ToLanes<Real>(1 / tire.stiffness);
-  law.rolling_radius = RollingRadius(tire.radius, deflection);
-  const Real mobility = MobilityNumber(contact.cone_index, law.load, deflection, tire.width,
-                                       2 * tire.radius, tire.section_height);
-  law.curve = BrixiusCurve(tire.traction, mobility, wheel.slip);
-  SelectTractionModel(tire, contact, law.load, law.curve);
-  const Real capacity = Min(law.curve.capacity, contact.friction_limit);
-  law.traction_limit = capacity * law.load;
-  SetTraction(tire, wheel, vx, step, law);
-  SetLateral(tire, vx, vy, step, capacity, wheel, law);
-
-  const Real v1{S(kResistanceSpeed)};
-  const Real rolling = law.load * vx / Sqrt(vx * vx + v1 * v1);
-  law.resistance = Real(-1) * rolling * law.curve.resistance;
-  law.carcass_torque = law.curve.carcass * rolling * law.rolling_radius;
-  return law;
 }
 
 }  // namespace dbd

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "flatten.h"
 #include "tire_contact.h"
 #include "wheel_spin.h"
 
@@ -22,9 +23,9 @@ HubPose<Real> LocateHub(const Wheel& wheel, const Mat3<Real>& R_WB, const Real& 
 }
 
 template <class Real, class Engine, class Surface>
-void SampleContacts(const Engine& engine, const Surface& ground,
-                    const WheelControls<Real>& controls, const Workspace<Real>& work,
-                    EngineState<Real>& state) {
+DBD_STAGE void SampleContacts(const Engine& engine, const Surface& ground,
+                              const WheelControls<Real>& controls, const Workspace<Real>& work,
+                              EngineState<Real>& state) {
   const auto& wheels = engine.vehicle->wheels;
   for (std::size_t i = 0; i < wheels.size(); ++i) {
     const auto& wheel = wheels[i];
@@ -54,39 +55,62 @@ void ApplyTire(const Wheel& wheel, const TireLaw<Real>& law, const HubPose<Real>
   work.wrench[wheel.reaction_body].t_W -= drive_torque * work.R_WB[wheel.reaction_body].y;
 }
 
-template <class Real, class Engine>
-void AddTireForces(const Engine& engine, const WheelControls<Real>& controls, double step,
-                   EngineState<Real>& state, Workspace<Real>& work) {
-  const auto& model = *engine.vehicle;
-  std::array<TireLaw<Real>, kMaxWheels> laws;
+/// What is known of all tires before their new spins are.
+template <class Real>
+struct TireStep {
   std::array<HubPose<Real>, kMaxWheels> hubs;
+  std::array<TireLaw<Real>, kMaxWheels> laws;
   std::array<CarrierSpin<Real>, kMaxWheels> carriers;
   SpinArray<Real> spin_change, brake_torque;
-  for (std::size_t i = 0; i < model.wheels.size(); ++i) {
-    const auto& wheel = model.wheels[i];
-    hubs[i] = LocateHub(wheel, work.R_WB[wheel.body], controls.steer_sine[i]);
-    laws[i] = EvaluateTire(wheel, state.bodies[wheel.body], hubs[i].lever, hubs[i].y_W, step,
-                           state.wheels[i]);
-    carriers[i] = PredictCarrierSpin(engine, i, state.bodies[wheel.body], work.wrench[wheel.body],
-                                     hubs[i].y_W, step);
+};
+
+template <class Real, class Engine>
+void EvaluateTires(const Engine& engine, const WheelControls<Real>& controls, double step,
+                   const Workspace<Real>& work, EngineState<Real>& state, TireStep<Real>& tires) {
+  const auto& wheels = engine.vehicle->wheels;
+  for (std::size_t i = 0; i < wheels.size(); ++i) {
+    const BodyState<Real>& body = state.bodies[wheels[i].body];
+    HubPose<Real>& hub = tires.hubs[i];
+    hub = LocateHub(wheels[i], work.R_WB[wheels[i].body], controls.steer_sine[i]);
+    MeetGround(engine.tires[i], body, hub.lever, hub.y_W, state.wheels[i].contact, tires.laws[i]);
+    tires.carriers[i] =
+        PredictCarrierSpin(engine, i, body, work.wrench[wheels[i].body], hub.y_W, step);
   }
-  AdvanceSpins(engine, controls, step, laws, carriers, state, spin_change, brake_torque);
+  for (std::size_t i = 0; i < wheels.size(); ++i) {
+    MeetSoil(engine.tires[i], state.wheels[i], tires.laws[i]);
+  }
+  for (std::size_t i = 0; i < wheels.size(); ++i) {
+    SetTraction(engine.tires[i], state.wheels[i], tires.laws[i]);
+  }
+  for (std::size_t i = 0; i < wheels.size(); ++i) {
+    SetLateral(engine.tires[i], state.wheels[i], tires.laws[i]);
+  }
+}
+
+template <class Real, class Engine>
+DBD_STAGE void AddTireForces(const Engine& engine, const WheelControls<Real>& controls, double step,
+                             EngineState<Real>& state, Workspace<Real>& work) {
+  const auto& model = *engine.vehicle;
+  TireStep<Real> tires;
+  EvaluateTires(engine, controls, step, work, state, tires);
+  AdvanceSpins(engine, controls, step, tires.laws, tires.carriers, state, tires.spin_change,
+               tires.brake_torque);
   for (std::size_t i = 0; i < model.wheels.size(); ++i) {
     const auto& wheel = model.wheels[i];
-    const TireLaw<Real>& law = laws[i];
+    const TireLaw<Real>& law = tires.laws[i];
     WheelState<Real>& w = state.wheels[i];
     const Real slip = Clamp(law.slip_base + law.slip_gain * w.spin, Real(-1), Real(1));
     w.slip = Select(law.load > Real(0), slip, Real(0));
-    const Real traction = Clamp(law.traction0 + law.traction_by_spin * spin_change[i],
+    const Real traction = Clamp(law.traction0 + law.traction_by_spin * tires.spin_change[i],
                                 Real(-1) * law.traction_limit, law.traction_limit);
-    ApplyTire(wheel, law, hubs[i], traction, controls.drive_torque[i], brake_torque[i], w,
-              state.bodies[wheel.body], work);
+    ApplyTire(wheel, law, tires.hubs[i], traction, controls.drive_torque[i], tires.brake_torque[i],
+              w, state.bodies[wheel.body], work);
     work.tires[i] = {law.load,
                      w.slip,
                      traction + law.resistance,
                      law.traction_limit,
                      law.lateral,
-                     law.load * ToLanes<Real>(1 / wheel.tire.stiffness),
+                     law.load * ToLanes<Real>(engine.tires[i].by_stiffness),
                      controls.drive_torque[i] * w.spin};
   }
 }

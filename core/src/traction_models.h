@@ -37,7 +37,7 @@ void SelectTractionModel(const Tire& tire, const TireContact<Real>& contact, con
   using S = ScalarOf<Real>;
   const auto other = contact.rule.model > Real(S(0.5));
   if (!AnyOf(other)) return;
-  const Real area = ToLanes<Real>(tire.width * 2 * tire.radius);
+  const Real area = ToLanes<Real>(tire.area);
   const Real numeric = Clamp(contact.cone_index * area / Max(load, Real(S(kLeastLoad))),
                              Real(S(1e-3)), Real(S(kHardSoilMobility)));
   // Wismer & Luth 1973; all of their resistance acts at the hub.

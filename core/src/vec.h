@@ -70,6 +70,12 @@ const Vec3<Real>& Broadcast(const Vec3<Real>& v) {
   return v;
 }
 
+/// The model's own numbers, of the type that lanes compute with.
+template <class Real, std::floating_point Number>
+requires(!std::is_same_v<Real, Number>) Vec3<Real> Broadcast(const Vec3<Number>& v) {
+  return {ToLanes<Real>(v.x), ToLanes<Real>(v.y), ToLanes<Real>(v.z)};
+}
+
 /// Columns are the axes of a frame: R_WB = {x_W, y_W, z_W} of B.
 template <class Real>
 struct Mat3 {

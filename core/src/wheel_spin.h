@@ -141,7 +141,7 @@ void AdvanceSpins(const Engine& engine, const WheelControls<Real>& controls, dou
                   SpinArray<Real>& brake_torque) {
   using S = ScalarOf<Real>;
   const Real dt{S(step)};
-  SpinArray<Real> inertia{}, spin{};
+  SpinArray<Real> inertia, spin;
   for (std::size_t i = 0; i < state.wheels.size(); ++i) {
     const TireLaw<Real>& law = laws[i];
     inertia[i] = ToLanes<Real>(engine.vehicle->wheels[i].spin_inertia) +

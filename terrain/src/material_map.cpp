@@ -60,6 +60,23 @@ void MaterialMap::Soils(int count, const double* x, const double* y, SoilSample*
   for (int i = 0; i < count; ++i) soil[i] = soils_[IndexAt(x[i], y[i])];
 }
 
+GroundSoils MaterialMap::View() const {
+  GroundSoils view;
+  view.soils = soils_.data();
+  view.count = 1;
+  if (is_uniform()) return view;
+  view.count = static_cast<int>(soils_.size());
+  view.classes = indices_.data();
+  view.columns = grid_.columns;
+  view.rows = grid_.rows;
+  view.x0 = grid_.first_center.x() - 0.5 * grid_.cell_size.x();
+  view.y0 = grid_.first_center.y() - 0.5 * grid_.cell_size.y();
+  view.cell_x = grid_.cell_size.x();
+  view.cell_y = grid_.cell_size.y();
+  view.outside = kNone;
+  return view;
+}
+
 double MaterialMap::Share(std::uint8_t index) const {
   if (is_uniform()) return index == 0 ? 1.0 : 0.0;
   return static_cast<double>(std::count(indices_.begin(), indices_.end(), index)) /

@@ -37,6 +37,8 @@ std::optional<GroundGrid> Terrain::Grid() const {
   return heights_.View();
 }
 
+std::optional<GroundSoils> Terrain::SoilClasses() const { return materials_.View(); }
+
 std::optional<GroundFacets> Terrain::Facets() const {
   if (!tin_) return std::nullopt;
   return tin_->View();

@@ -4,14 +4,25 @@
 
 #include <gtest/gtest.h>
 
+#include "support/core_tire.h"
+
 namespace dbd {
 namespace {
 
 constexpr BrixiusCoefficients kBias{};
 
+TireModel RearTire() {
+  TireModel tire;
+  tire.radius = 0.3302;
+  tire.width = 0.3048;
+  tire.section_height = 0.1778;
+  tire.stiffness = 75e3;
+  return tire;
+}
+
 TEST(Brixius, EngineAndPublicFormulasAgree) {
   // 2223 N on 75 kN/m deflects 29.64 mm.
-  const double engine = MobilityNumber(300e3, 2223.0, 0.02964, 0.3048, 0.6604, 0.1778);
+  const double engine = MobilityNumberOf(RearTire(), 300e3, 2223.0, 0.02964);
   const double plain = BrixiusMobilityNumber(300e3, 2223, 0.3048, 0.6604, 0.02964 / 0.1778);
   EXPECT_NEAR(engine, plain, 1e-12);
   EXPECT_NEAR(TractionCapacity(kBias, engine), GrossTractionRatio(kBias, engine, 1e9) - 0.04,
@@ -22,11 +33,11 @@ TEST(Brixius, EngineAndPublicFormulasAgree) {
 }
 
 TEST(Brixius, HardSoilIsCapped) {
-  EXPECT_EQ(MobilityNumber(1e8, 2000.0, 0.01, 0.3, 0.66, 0.18), kHardSoilMobility);
+  EXPECT_EQ(MobilityNumberOf(RearTire(), 1e8, 2000.0, 0.01), kHardSoilMobility);
 }
 
 TEST(Brixius, WithoutLoadNothingIsDividedByZero) {
-  const double mobility = MobilityNumber(300e3, 0.0, 0.0, 0.3, 0.66, 0.18);
+  const double mobility = MobilityNumberOf(RearTire(), 300e3, 0.0, 0.0);
   EXPECT_EQ(mobility, kHardSoilMobility);
   EXPECT_TRUE(std::isfinite(SoilResistance(kBias, 0.0, 1.0)));
 }

@@ -35,13 +35,7 @@ class TwoBodies : public ::testing::Test {
   std::vector<Wrench<double>> Forces() {
     Workspace<double> work(vehicle);
     for (std::size_t i = 0; i < 2; ++i) work.R_WB[i] = RotationMatrix(state.bodies[i].q_WB);
-    const AttachmentPoints attachments(vehicle);
-    MovePoints(attachments, state, work);
-    UpdateSprings(vehicle, attachments, work);
-    AddSpringForces(vehicle, attachments, work);
-    AddLinkForces(vehicle, attachments, WheelControls<double>{}, work);
-    GatherPointForces(attachments, work);
-    AddJointTorques(vehicle, WheelControls<double>{}, state, work);
+    SetElementForces(EngineModel(vehicle), WheelControls<double>{}, state, work);
     link_force = work.link_force;
     return work.wrench;
   }
@@ -226,7 +220,7 @@ TEST_F(TwoBodies, SteeringMovesTheJointsTarget) {
   for (std::size_t i = 0; i < 2; ++i) work.R_WB[i] = RotationMatrix(state.bodies[i].q_WB);
   WheelControls<double> controls{};
   controls.steer_sine[2] = 0.1;
-  AddJointTorques(vehicle, controls, state, work);
+  SetElementForces(EngineModel(vehicle), controls, state, work);
   // y . x = 0, target 0.1: torque 3000 * (0 - 0.1) along y cross x = -z turns b to the left.
   EXPECT_NEAR(work.wrench[1].t_W.z, 300, 1e-9);
   EXPECT_NEAR(work.wrench[0].t_W.z, -300, 1e-9);

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "support/core_engine.h"
+#include "support/core_tire.h"
 #include "support/core_vehicle.h"
 
 namespace dbd {
@@ -23,7 +24,7 @@ struct HeldWheel {
     body.q_WB = {1, 0, 0, 0};
   }
 
-  TireLaw<double> Law() { return EvaluateTire(model, body, {0, 0, 0}, {0, 1, 0}, kStep, wheel); }
+  TireLaw<double> Law() { return EvaluateTire(model.tire, body, kStep, wheel); }
 
   /// Lets slip and slip angle build up at the present speeds.
   TireLaw<double> Steady() {
@@ -216,9 +217,8 @@ TEST(TireForce, ResistanceOpposesRollingAndVanishesAtRest) {
   w.body.v_WB.x = -3;
   EXPECT_NEAR(w.Law().resistance, -forward, 1e-12);
   // At speed: m1 / Bn of the load without slip, the tanh-like transition complete within 0.1 %.
-  EXPECT_NEAR(
-      -forward,
-      2238.773 / MobilityNumber(300e3, 2238.773, 2238.773 / 235152.0, 0.3048, 0.6604, 0.1778), 2);
+  EXPECT_NEAR(-forward,
+              2238.773 / MobilityNumberOf(w.model.tire, 300e3, 2238.773, 2238.773 / 235152.0), 2);
 }
 
 TEST(TireForce, SlipperyGroundLimitsTraction) {

@@ -8,6 +8,7 @@
 
 #include "pack.h"
 #include "soil_rule.h"
+#include "support/core_tire.h"
 #include "support/core_vehicle.h"
 #include "tire_force.h"
 #include "tire_pattern.h"
@@ -32,13 +33,13 @@ struct RollingWheel {
     wheel.contact.cone_index = soil.cone_index;
     wheel.contact.friction_limit = soil.friction_limit;
     wheel.contact.rule =
-        MakeSoilRule<double>(&soil, MakeTirePattern(tire), wheel.contact.deflection);
+        MakeSoilRule<double>(&soil, MakeTirePattern(tire).size, wheel.contact.deflection);
     body.q_WB = {1, 0, 0, 0};
     body.v_WB.x = 5;
     wheel.spin = (slip > 0 ? 5 / (1 - slip) : 5 * (1 + slip)) / Law().rolling_radius;
     wheel.slip = slip;
   }
-  TireLaw<double> Law() { return EvaluateTire(model, body, {0, 0, 0}, {0, 1, 0}, 2e-3, wheel); }
+  TireLaw<double> Law() { return EvaluateTire(model.tire, body, 2e-3, wheel); }
 
   WheelModel model = Tm27().wheels[0];
   BodyState<double> body{};
@@ -53,7 +54,7 @@ Pack2 Both(double first, double second) {
 }
 
 TEST(TractionModels, BrixiusIsUntouchedByOtherLanes) {
-  const TireModel& tire = Tm27().wheels[0].tire;
+  const TireNumbers<double> tire = MakeTireNumbers(Tm27().wheels[0].tire, 2e-3);
   TireContact<Pack2> contact{};
   contact.cone_index = Pack2(300e3);
   contact.rule.model = Both(0, 2);

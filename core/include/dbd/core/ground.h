@@ -3,6 +3,7 @@
 #include <dbd/core/bekker.h>
 #include <dbd/core/ground_facets.h>
 #include <dbd/core/ground_grid.h>
+#include <dbd/core/ground_soils.h>
 
 #include <limits>
 #include <optional>
@@ -58,6 +59,10 @@ class Ground {
   /// The triangles that the heights come from, where there are any: packs of vehicles read them
   /// themselves, and ask `Heights` off all of them. Nothing, the default, means "ask Heights".
   virtual std::optional<GroundFacets> Facets() const { return std::nullopt; }
+
+  /// The soils, where they are one for all places or one for each class of a raster: packs of
+  /// vehicles read them themselves. Nothing, the default, means "ask Soils".
+  virtual std::optional<GroundSoils> SoilClasses() const { return std::nullopt; }
 
   double Height(double x, double y) const {
     double z = 0;

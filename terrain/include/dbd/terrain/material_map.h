@@ -87,6 +87,9 @@ class MaterialMap {
   /// Where the material is unknown: the softest passable soil of the table.
   void Soils(int count, const double* x, const double* y, SoilSample* soil) const;
 
+  /// The same as plain data, valid as long as this map stays where it is.
+  GroundSoils View() const;
+
   /// Share of the cells of the material at this index of the table; kNone: of unknown cells.
   double Share(std::uint8_t index) const;
 

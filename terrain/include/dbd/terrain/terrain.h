@@ -73,6 +73,7 @@ class Terrain final : public Ground {
   bool IsKnown(double x, double y) const override;
   std::optional<GroundGrid> Grid() const override;
   std::optional<GroundFacets> Facets() const override;
+  std::optional<GroundSoils> SoilClasses() const override;
 
   const LocalFrame& frame() const { return frame_; }
   const HeightMap& heights() const { return heights_; }
