@@ -47,9 +47,20 @@ WheelView ViewOfWheel(const WheelModel& wheel, const BodyState<double>& body,
 }
 
 DriverView ViewOfDriver(const VehicleModel& vehicle, const BodyState<double>& chassis) {
+  return ViewOfDriver(SteeringOrigin(vehicle), chassis);
+}
+
+DriverView ViewOfDriver(const Eigen::Vector3d& steering_origin, const BodyState<double>& chassis) {
   const Mat3<double> R_WB = RotationMatrix(chassis.q_WB);
-  const Vec3<double> rear = chassis.p_WB + R_WB * Broadcast<double>(SteeringOrigin(vehicle));
-  return {{rear.x, rear.y}, std::atan2(R_WB.x.y, R_WB.x.x), Dot(chassis.v_WB, R_WB.x)};
+  return {PathPoint(steering_origin, chassis), std::atan2(R_WB.x.y, R_WB.x.x),
+          Dot(chassis.v_WB, R_WB.x)};
+}
+
+Eigen::Vector2d PathPoint(const Eigen::Vector3d& steering_origin,
+                          const BodyState<double>& chassis) {
+  const Vec3<double> p =
+      chassis.p_WB + RotationMatrix(chassis.q_WB) * Broadcast<double>(steering_origin);
+  return {p.x, p.y};
 }
 
 bool BodyIsFinite(const BodyState<double>& body) {
