@@ -32,9 +32,7 @@ struct LaneReadings {
   LaneNumbers vertical_acceleration{};
 };
 
-/// What `ViewOfWheel` shows of one lane: the pose of the body that carries the wheel, its spin and
-/// contact point, and the tire; what it does not show is zero. Every number of a lane lies in a
-/// cache line of its own, so that only those are read.
+/// A wheel of one lane, with the body that carries it.
 struct LaneWheel {
   BodyState<double> carrier;
   WheelState<double> state;
@@ -58,7 +56,9 @@ class LaneEngine {
   virtual void Read(LaneReadings& readings) const = 0;
   virtual BodyState<double> Body(int lane, int body) const = 0;
   virtual WheelState<double> Wheel(int lane, int wheel) const = 0;
-  virtual LaneWheel ViewedWheel(int lane, int wheel) const = 0;
+  /// Sets what a `WheelView` shows: the carrier's pose, spin and contact point, the tire. Every
+  /// number of a lane lies in a cache line of its own, so that only those are read.
+  virtual void ReadWheel(int lane, int wheel, LaneWheel& out) const = 0;
   virtual double SpringForce(int lane, int spring) const = 0;
   virtual double LinkForce(int lane, int link) const = 0;
   /// Everything finite, no link torn in the last step.

@@ -102,22 +102,31 @@ class PackEngine final : public LaneEngine {
     ToWorld(lane, w.contact.p_WH);
     return w;
   }
-  LaneWheel ViewedWheel(int lane, int wheel) const override {
+  /// Number by number: a struct that is put together and copied at once waits for its parts.
+  void ReadWheel(int lane, int wheel, LaneWheel& out) const override {
     const auto i = static_cast<std::size_t>(wheel);
     const auto body = static_cast<std::size_t>(model_.vehicle->wheels[i].body);
+    const BodyState<Real>& carrier = state_.bodies[body];
     const WheelState<Real>& state = state_.wheels[i];
-    LaneWheel view{};
-    view.carrier.p_WB = LaneOf(state_.bodies[body].p_WB, lane);
-    view.carrier.q_WB = LaneOf(state_.bodies[body].q_WB, lane);
-    ToWorld(lane, view.carrier.p_WB);
-    view.state.spin = state.spin.v[lane];
-    view.state.contact.p_WH = LaneOf(state.contact.p_WH, lane);
-    view.state.contact.p_HC_W = LaneOf(state.contact.p_HC_W, lane);
-    view.state.contact.normal_W = LaneOf(state.contact.normal_W, lane);
-    view.state.contact.cone_index = state.contact.cone_index.v[lane];
-    ToWorld(lane, view.state.contact.p_WH);
-    view.tire = LaneOf(work_.tires[i], lane);
-    return view;
+    const TireReport<Real>& tire = work_.tires[i];
+    const auto set = [lane](double& number, const Real& pack) { number = pack.v[lane]; };
+    const auto set_vector = [&set](Vec3<double>& vector, const Vec3<Real>& pack) {
+      set(vector.x, pack.x), set(vector.y, pack.y), set(vector.z, pack.z);
+    };
+    set_vector(out.carrier.p_WB, carrier.p_WB);
+    set(out.carrier.q_WB.w, carrier.q_WB.w), set(out.carrier.q_WB.x, carrier.q_WB.x);
+    set(out.carrier.q_WB.y, carrier.q_WB.y), set(out.carrier.q_WB.z, carrier.q_WB.z);
+    ToWorld(lane, out.carrier.p_WB);
+    set(out.state.spin, state.spin);
+    set_vector(out.state.contact.p_WH, state.contact.p_WH);
+    set_vector(out.state.contact.p_HC_W, state.contact.p_HC_W);
+    set_vector(out.state.contact.normal_W, state.contact.normal_W);
+    set(out.state.contact.cone_index, state.contact.cone_index);
+    ToWorld(lane, out.state.contact.p_WH);
+    set(out.tire.load, tire.load), set(out.tire.slip, tire.slip);
+    set(out.tire.net_traction, tire.net_traction), set(out.tire.capacity, tire.capacity);
+    set(out.tire.lateral, tire.lateral), set(out.tire.deflection, tire.deflection);
+    set(out.tire.drive_power, tire.drive_power);
   }
   double SpringForce(int lane, int spring) const override {
     return work_.spring_force[static_cast<std::size_t>(spring)].v[lane];

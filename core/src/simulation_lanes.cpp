@@ -173,7 +173,8 @@ double SimulationLanes::time(int lane) const {
 ChassisView SimulationLanes::Chassis(int lane) const { return ViewOfChassis(impl_->Chassis(lane)); }
 
 WheelView SimulationLanes::Wheel(int lane, int index) const {
-  const LaneWheel wheel = impl_->engine->ViewedWheel(lane, index);
+  LaneWheel wheel{};
+  impl_->engine->ReadWheel(lane, index, wheel);
   return ViewOfWheel(impl_->vehicle.wheels[static_cast<std::size_t>(index)], wheel.carrier,
                      wheel.state, wheel.tire);
 }
@@ -201,12 +202,14 @@ bool SimulationLanes::IsSane(int lane) const { return impl_->engine->IsSane(lane
 
 void SimulationLanes::Observe(int lane, VehicleSnapshot& snapshot) const {
   const BodyState<double> chassis = impl_->Chassis(lane);
+  LaneWheel wheel{};
   snapshot.time = time(lane);
   snapshot.chassis = ViewOfChassis(chassis);
   snapshot.path_point = PathPoint(impl_->steering_origin, chassis);
   snapshot.wheels.resize(impl_->vehicle.wheels.size());
   for (std::size_t i = 0; i < snapshot.wheels.size(); ++i) {
-    snapshot.wheels[i] = Wheel(lane, static_cast<int>(i));
+    impl_->engine->ReadWheel(lane, static_cast<int>(i), wheel);
+    ViewWheel(impl_->vehicle.wheels[i], wheel.carrier, wheel.state, wheel.tire, snapshot.wheels[i]);
   }
 }
 

@@ -29,8 +29,14 @@ ChassisView ViewOfChassis(const BodyState<double>& body) {
 
 WheelView ViewOfWheel(const WheelModel& wheel, const BodyState<double>& body,
                       const WheelState<double>& state, const TireReport<double>& tire) {
-  const Vec3<double> p_WH = body.p_WB + RotationMatrix(body.q_WB) * Broadcast<double>(wheel.p_BH);
   WheelView view;
+  ViewWheel(wheel, body, state, tire, view);
+  return view;
+}
+
+void ViewWheel(const WheelModel& wheel, const BodyState<double>& body,
+               const WheelState<double>& state, const TireReport<double>& tire, WheelView& view) {
+  const Vec3<double> p_WH = body.p_WB + RotationMatrix(body.q_WB) * Broadcast<double>(wheel.p_BH);
   view.p_WH = ToEigen(p_WH);
   view.contact_W = ToEigen(state.contact.p_WH + state.contact.p_HC_W);
   view.normal_W = ToEigen(state.contact.normal_W);
@@ -43,7 +49,6 @@ WheelView ViewOfWheel(const WheelModel& wheel, const BodyState<double>& body,
   view.deflection = tire.deflection;
   view.cone_index = state.contact.cone_index;
   view.drive_power = tire.drive_power;
-  return view;
 }
 
 DriverView ViewOfDriver(const VehicleModel& vehicle, const BodyState<double>& chassis) {
