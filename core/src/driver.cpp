@@ -25,9 +25,13 @@ const AxleModel& LeadingAxle(const VehicleModel& vehicle) {
 
 }  // namespace
 
-void AckermannSines(const VehicleModel& vehicle, double steer, double* sines) {
-  const double x0 = vehicle.path_point_x();
-  const double curvature = std::tan(steer) / (LeadingAxle(vehicle).x - x0);
+AckermannGeometry::AckermannGeometry(const VehicleModel& vehicle)
+    : path_point_x(vehicle.path_point_x()), wheelbase(LeadingAxle(vehicle).x - path_point_x) {}
+
+void AckermannSines(const VehicleModel& vehicle, const AckermannGeometry& geometry, double steer,
+                    double* sines) {
+  const double x0 = geometry.path_point_x;
+  const double curvature = std::tan(steer) / geometry.wheelbase;
   for (const AxleModel& axle : vehicle.axles) {
     for (const bool left : {true, false}) {
       const int wheel = left ? axle.left : axle.right;
@@ -42,7 +46,7 @@ void AckermannSines(const VehicleModel& vehicle, double steer, double* sines) {
 
 std::vector<double> AckermannAngles(const VehicleModel& vehicle, double steer) {
   std::vector<double> angles(vehicle.wheels.size());
-  AckermannSines(vehicle, steer, angles.data());
+  AckermannSines(vehicle, AckermannGeometry(vehicle), steer, angles.data());
   for (double& angle : angles) angle = std::asin(angle);
   return angles;
 }

@@ -30,7 +30,9 @@ struct EngineModel {
   std::vector<TireNumbers<double>> tires;  ///< like vehicle->wheels
   std::vector<double> carrier_inertia;  ///< about the spin axis, of each wheel's share of its body
   std::vector<double> axle_coupling;    ///< like vehicle->axles: differential's most [N m]
-  double centre_coupling = 0;           ///< of the differential between axles [N m]
+  std::vector<int> driven_wheels;
+  std::vector<double> torn_force;  ///< like vehicle->links: pull or push that tears it off [N]
+  double centre_coupling = 0;      ///< of the differential between axles [N m]
   double gravity = kGravity;
   double step;
   int spring_every = 1;  ///< construction steps per update of the group

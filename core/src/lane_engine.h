@@ -3,6 +3,7 @@
 #include <dbd/core/ground.h>
 #include <dbd/core/simulation_lanes.h>
 
+#include <array>
 #include <memory>
 #include <string>
 
@@ -11,10 +12,31 @@
 
 namespace dbd {
 
-/// What one lane does in the next control interval.
+/// Most lanes of a pack.
+inline constexpr int kMostLanes = 16;
+
+/// A number for each lane.
+using LaneNumbers = std::array<double, kMostLanes>;
+
+/// What all lanes do in the next control interval, but for steering and brakes.
 struct LaneOrders {
-  WheelControls<double> controls{};
-  double keep = 1;  ///< share of all velocities that a step leaves: below 1 while settling
+  LaneNumbers drive_torque{};  ///< on each driven wheel [N m]
+  LaneNumbers keep{};          ///< share of all velocities that a step leaves: below 1 settling
+};
+
+/// What is asked of all lanes in every control interval.
+struct LaneReadings {
+  LaneNumbers driven_spin{};  ///< mean of the driven wheels [rad/s]
+  LaneNumbers drive_work{};   ///< of the drive torque, positive part, in the last interval [J]
+  /// Of the chassis along its z axis, without gravity, mean over the last interval [m/s^2].
+  LaneNumbers vertical_acceleration{};
+};
+
+/// A wheel of one lane, with the body that carries it.
+struct LaneWheel {
+  BodyState<double> carrier;
+  WheelState<double> state;
+  TireReport<double> tire;
 };
 
 /// A pack of vehicles of one kind on one ground: the engine behind `SimulationLanes`, one class
@@ -26,19 +48,21 @@ class LaneEngine {
   virtual int lanes() const = 0;
   /// Puts a vehicle into a lane; its positions are in W.
   virtual void SetLane(int lane, const EngineState<double>& state) = 0;
-  /// `orders`: one per lane. Advances by one control interval.
-  virtual void Advance(const LaneOrders* orders) = 0;
+  /// Steering and brakes, in force until the next call: they change less often than they act.
+  virtual void Hold(int lane, const WheelControls<double>& controls) = 0;
+  /// Advances by one control interval.
+  virtual void Advance(const LaneOrders& orders) = 0;
 
+  virtual void Read(LaneReadings& readings) const = 0;
   virtual BodyState<double> Body(int lane, int body) const = 0;
   virtual WheelState<double> Wheel(int lane, int wheel) const = 0;
-  virtual TireReport<double> Tire(int lane, int wheel) const = 0;
+  /// Sets what a `WheelView` shows: the carrier's pose, spin and contact point, the tire. Every
+  /// number of a lane lies in a cache line of its own, so that only those are read.
+  virtual void ReadWheel(int lane, int wheel, LaneWheel& out) const = 0;
   virtual double SpringForce(int lane, int spring) const = 0;
   virtual double LinkForce(int lane, int link) const = 0;
-  /// Work of the drive torque, positive part, in the last control interval [J].
-  virtual double DriveWork(int lane) const = 0;
-  virtual double Spin(int lane, int wheel) const = 0;
-  /// Of the chassis along its z axis, without gravity, mean over the last interval [m/s^2].
-  virtual double VerticalAcceleration(int lane) const = 0;
+  /// Everything finite, no link torn in the last step.
+  virtual bool IsSane(int lane) const = 0;
 };
 
 /// Null where this build or this processor has no such lanes.

@@ -46,15 +46,25 @@ struct SimulationLanes::Impl {
         ground(surface),
         times(model),
         held(HeldByBrakes(model)),
+        steering(model),
+        steering_origin(SteeringOrigin(model)),
+        driven_wheels(CountDrivenWheels(model)),
+        control_step(times.step * times.control_every),
         engine(MakeLaneEngine(kind, model, surface)) {
     if (!engine) throw InputError("this processor has no lanes of " + LaneKindName(kind));
     lanes.resize(static_cast<std::size_t>(engine->lanes()));
-    orders.resize(lanes.size());
-    for (int i = 0; i < engine->lanes(); ++i) engine->SetLane(i, DesignState(model));
+    for (int i = 0; i < engine->lanes(); ++i) {
+      engine->SetLane(i, DesignState(model));
+      engine->Hold(i, held);
+    }
   }
 
   const Lane& At(int lane) const { return lanes[static_cast<std::size_t>(lane)]; }
 
+  BodyState<double> Chassis(int lane) const { return engine->Body(lane, 0); }
+
+  void Begin(int index);
+  void Drive(int index, const DriverCommand& command);
   void GiveOrders(int index, const DriverCommand& command);
   void Account(int index);
 
@@ -62,9 +72,15 @@ struct SimulationLanes::Impl {
   const Ground& ground;
   EngineModel times;  // steps and their groups
   WheelControls<double> held;
+  AckermannGeometry steering;
+  Eigen::Vector3d steering_origin;
+  int driven_wheels;
+  double control_step;
   std::unique_ptr<LaneEngine> engine;
   std::vector<Lane> lanes;
-  std::vector<LaneOrders> orders;
+  WheelControls<double> controls;  // of the lane that is given orders
+  LaneOrders orders;
+  LaneReadings readings;
   std::int64_t step = 0;
 };
 
@@ -73,10 +89,8 @@ SimulationLanes::SimulationLanes(const VehicleModel& vehicle, const Ground& grou
 SimulationLanes::~SimulationLanes() = default;
 SimulationLanes::SimulationLanes(SimulationLanes&&) noexcept = default;
 
-int SimulationLanes::lanes() const { return impl_->engine->lanes(); }
-double SimulationLanes::control_step() const {
-  return impl_->times.step * impl_->times.control_every;
-}
+int SimulationLanes::lanes() const { return static_cast<int>(impl_->lanes.size()); }
+double SimulationLanes::control_step() const { return impl_->control_step; }
 
 /// The vehicle waits until all groups of forces begin together, as they do for one alone.
 void SimulationLanes::Place(int index, const Eigen::Vector2d& position, double heading,
@@ -86,48 +100,54 @@ void SimulationLanes::Place(int index, const Eigen::Vector2d& position, double h
   lane.phase = Lane::Phase::kWaiting;
   lane.start = InitialState<double>(impl_->vehicle, impl_->ground, position, heading);
   lane.settling_steps = impl_->times.SettlingSteps(settle_time);
+  impl_->engine->Hold(index, impl_->held);
 }
 
 void SimulationLanes::Park(int index) {
   impl_->lanes[static_cast<std::size_t>(index)].phase = Lane::Phase::kEmpty;
+  impl_->engine->Hold(index, impl_->held);
 }
 
 bool SimulationLanes::driving(int lane) const {
   return impl_->At(lane).phase == Lane::Phase::kDriving;
 }
 
-/// Empty and waiting lanes are kept from moving, settling ones are damped.
-void SimulationLanes::Impl::GiveOrders(int index, const DriverCommand& command) {
+void SimulationLanes::Impl::Begin(int index) {
   Lane& lane = lanes[static_cast<std::size_t>(index)];
-  LaneOrders& order = orders[static_cast<std::size_t>(index)];
-  if (lane.phase == Lane::Phase::kWaiting && step % times.period == 0) {
-    engine->SetLane(index, lane.start);
-    order.controls = held;
-    lane.phase = lane.settling_steps > 0 ? Lane::Phase::kSettling : Lane::Phase::kDriving;
-  }
-  if (lane.phase != Lane::Phase::kDriving) {
-    order.controls = held;
-    order.keep = lane.phase == Lane::Phase::kSettling ? 1 - kSettlingRate * times.step : 0;
-    return;
-  }
-  WheelSpins spins{};
-  for (std::size_t i = 0; i < vehicle.wheels.size(); ++i) {
-    spins[i] = engine->Spin(index, static_cast<int>(i));
-  }
-  order.keep = 1;
+  engine->SetLane(index, lane.start);
+  engine->Read(readings);
+  lane.phase = lane.settling_steps > 0 ? Lane::Phase::kSettling : Lane::Phase::kDriving;
+}
+
+void SimulationLanes::Impl::Drive(int index, const DriverCommand& command) {
+  Lane& lane = lanes[static_cast<std::size_t>(index)];
+  const auto i = static_cast<std::size_t>(index);
   if (command.steer != lane.command.steer || command.brake != lane.command.brake) {
-    SetSteeringAndBrakes(vehicle, command, order.controls);
+    SetSteeringAndBrakes(vehicle, steering, command, controls);
+    engine->Hold(index, controls);
     lane.command = command;
   }
-  SetDriveTorques(vehicle, command, spins, times.step * times.control_every, lane.powertrain,
-                  order.controls);
+  orders.keep[i] = 1;
+  if (driven_wheels == 0) return;
+  orders.drive_torque[i] = DriveTorquePerWheel(vehicle.powertrain, command, readings.driven_spin[i],
+                                               driven_wheels, control_step, lane.powertrain);
+}
+
+/// Empty and waiting lanes are kept from moving, settling ones are damped.
+void SimulationLanes::Impl::GiveOrders(int index, const DriverCommand& command) {
+  const Lane& lane = At(index);
+  if (lane.phase == Lane::Phase::kWaiting && step % times.period == 0) Begin(index);
+  if (lane.phase == Lane::Phase::kDriving) return Drive(index, command);
+  const auto i = static_cast<std::size_t>(index);
+  orders.drive_torque[i] = 0;
+  orders.keep[i] = lane.phase == Lane::Phase::kSettling ? 1 - kSettlingRate * times.step : 0;
 }
 
 void SimulationLanes::Impl::Account(int index) {
   Lane& lane = lanes[static_cast<std::size_t>(index)];
   if (lane.phase == Lane::Phase::kDriving) {
     lane.steps += times.control_every;
-    lane.energy += engine->DriveWork(index);
+    lane.energy += readings.drive_work[static_cast<std::size_t>(index)];
   }
   if (lane.phase == Lane::Phase::kSettling) {
     lane.settling_steps -= times.control_every;
@@ -139,7 +159,8 @@ void SimulationLanes::Advance(const std::vector<DriverCommand>& commands) {
   Impl& s = *impl_;
   DBD_ASSERT(commands.size() == s.lanes.size());
   for (int i = 0; i < lanes(); ++i) s.GiveOrders(i, commands[static_cast<std::size_t>(i)]);
-  s.engine->Advance(s.orders.data());
+  s.engine->Advance(s.orders);
+  s.engine->Read(s.readings);
   s.step += s.times.control_every;
   for (int i = 0; i < lanes(); ++i) s.Account(i);
 }
@@ -149,22 +170,21 @@ double SimulationLanes::time(int lane) const {
   return static_cast<double>(l.steps - l.settling_steps) * impl_->times.step;
 }
 
-ChassisView SimulationLanes::Chassis(int lane) const {
-  return ViewOfChassis(impl_->engine->Body(lane, 0));
-}
+ChassisView SimulationLanes::Chassis(int lane) const { return ViewOfChassis(impl_->Chassis(lane)); }
 
 WheelView SimulationLanes::Wheel(int lane, int index) const {
-  const WheelModel& wheel = impl_->vehicle.wheels[static_cast<std::size_t>(index)];
-  return ViewOfWheel(wheel, impl_->engine->Body(lane, wheel.body),
-                     impl_->engine->Wheel(lane, index), impl_->engine->Tire(lane, index));
+  LaneWheel wheel{};
+  impl_->engine->ReadWheel(lane, index, wheel);
+  return ViewOfWheel(impl_->vehicle.wheels[static_cast<std::size_t>(index)], wheel.carrier,
+                     wheel.state, wheel.tire);
 }
 
 DriverView SimulationLanes::ViewForDriver(int lane) const {
-  return ViewOfDriver(impl_->vehicle, impl_->engine->Body(lane, 0));
+  return ViewOfDriver(impl_->steering_origin, impl_->Chassis(lane));
 }
 
 double SimulationLanes::VerticalAcceleration(int lane) const {
-  return impl_->engine->VerticalAcceleration(lane);
+  return impl_->readings.vertical_acceleration[static_cast<std::size_t>(lane)];
 }
 
 const PowertrainState& SimulationLanes::powertrain(int lane) const {
@@ -178,24 +198,18 @@ double SimulationLanes::LinkForce(int lane, int index) const {
 }
 double SimulationLanes::drive_energy(int lane) const { return impl_->At(lane).energy; }
 
-bool SimulationLanes::IsSane(int lane) const {
-  const VehicleModel& vehicle = impl_->vehicle;
-  for (std::size_t i = 0; i < vehicle.bodies.size(); ++i) {
-    if (!BodyIsFinite(impl_->engine->Body(lane, static_cast<int>(i)))) return false;
-  }
-  for (std::size_t i = 0; i < vehicle.links.size(); ++i) {
-    if (!LinkHolds(vehicle.links[i], LinkForce(lane, static_cast<int>(i)))) return false;
-  }
-  return true;
-}
+bool SimulationLanes::IsSane(int lane) const { return impl_->engine->IsSane(lane); }
 
 void SimulationLanes::Observe(int lane, VehicleSnapshot& snapshot) const {
+  const BodyState<double> chassis = impl_->Chassis(lane);
+  LaneWheel wheel{};
   snapshot.time = time(lane);
-  snapshot.chassis = Chassis(lane);
-  snapshot.path_point = ViewForDriver(lane).position;
+  snapshot.chassis = ViewOfChassis(chassis);
+  snapshot.path_point = PathPoint(impl_->steering_origin, chassis);
   snapshot.wheels.resize(impl_->vehicle.wheels.size());
   for (std::size_t i = 0; i < snapshot.wheels.size(); ++i) {
-    snapshot.wheels[i] = Wheel(lane, static_cast<int>(i));
+    impl_->engine->ReadWheel(lane, static_cast<int>(i), wheel);
+    ViewWheel(impl_->vehicle.wheels[i], wheel.carrier, wheel.state, wheel.tire, snapshot.wheels[i]);
   }
 }
 

@@ -29,8 +29,14 @@ ChassisView ViewOfChassis(const BodyState<double>& body) {
 
 WheelView ViewOfWheel(const WheelModel& wheel, const BodyState<double>& body,
                       const WheelState<double>& state, const TireReport<double>& tire) {
-  const Vec3<double> p_WH = body.p_WB + RotationMatrix(body.q_WB) * Broadcast<double>(wheel.p_BH);
   WheelView view;
+  ViewWheel(wheel, body, state, tire, view);
+  return view;
+}
+
+void ViewWheel(const WheelModel& wheel, const BodyState<double>& body,
+               const WheelState<double>& state, const TireReport<double>& tire, WheelView& view) {
+  const Vec3<double> p_WH = body.p_WB + RotationMatrix(body.q_WB) * Broadcast<double>(wheel.p_BH);
   view.p_WH = ToEigen(p_WH);
   view.contact_W = ToEigen(state.contact.p_WH + state.contact.p_HC_W);
   view.normal_W = ToEigen(state.contact.normal_W);
@@ -43,13 +49,23 @@ WheelView ViewOfWheel(const WheelModel& wheel, const BodyState<double>& body,
   view.deflection = tire.deflection;
   view.cone_index = state.contact.cone_index;
   view.drive_power = tire.drive_power;
-  return view;
 }
 
 DriverView ViewOfDriver(const VehicleModel& vehicle, const BodyState<double>& chassis) {
+  return ViewOfDriver(SteeringOrigin(vehicle), chassis);
+}
+
+DriverView ViewOfDriver(const Eigen::Vector3d& steering_origin, const BodyState<double>& chassis) {
   const Mat3<double> R_WB = RotationMatrix(chassis.q_WB);
-  const Vec3<double> rear = chassis.p_WB + R_WB * Broadcast<double>(SteeringOrigin(vehicle));
-  return {{rear.x, rear.y}, std::atan2(R_WB.x.y, R_WB.x.x), Dot(chassis.v_WB, R_WB.x)};
+  return {PathPoint(steering_origin, chassis), std::atan2(R_WB.x.y, R_WB.x.x),
+          Dot(chassis.v_WB, R_WB.x)};
+}
+
+Eigen::Vector2d PathPoint(const Eigen::Vector3d& steering_origin,
+                          const BodyState<double>& chassis) {
+  const Vec3<double> p =
+      chassis.p_WB + RotationMatrix(chassis.q_WB) * Broadcast<double>(steering_origin);
+  return {p.x, p.y};
 }
 
 bool BodyIsFinite(const BodyState<double>& body) {

@@ -14,7 +14,16 @@ ChassisView ViewOfChassis(const BodyState<double>& body);
 WheelView ViewOfWheel(const WheelModel& wheel, const BodyState<double>& body,
                       const WheelState<double>& state, const TireReport<double>& tire);
 
+/// The same, written where it is wanted.
+void ViewWheel(const WheelModel& wheel, const BodyState<double>& body,
+               const WheelState<double>& state, const TireReport<double>& tire, WheelView& view);
+
 DriverView ViewOfDriver(const VehicleModel& vehicle, const BodyState<double>& chassis);
+/// The same where the vehicle's `SteeringOrigin` is at hand.
+DriverView ViewOfDriver(const Eigen::Vector3d& steering_origin, const BodyState<double>& chassis);
+
+/// The point that follows a path.
+Eigen::Vector2d PathPoint(const Eigen::Vector3d& steering_origin, const BodyState<double>& chassis);
 
 bool BodyIsFinite(const BodyState<double>& body);
 

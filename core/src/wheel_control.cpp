@@ -1,6 +1,13 @@
 #include "wheel_control.h"
 
 namespace dbd {
+namespace {
+
+bool IsDriven(const VehicleModel& vehicle, const WheelModel& wheel) {
+  return vehicle.axles[static_cast<std::size_t>(wheel.axle)].driven;
+}
+
+}  // namespace
 
 WheelSpins SpinsOf(const EngineState<double>& state) {
   WheelSpins spins{};
@@ -10,31 +17,44 @@ WheelSpins SpinsOf(const EngineState<double>& state) {
 
 void SetSteeringAndBrakes(const VehicleModel& vehicle, const DriverCommand& command,
                           WheelControls<double>& controls) {
-  AckermannSines(vehicle, command.steer, controls.steer_sine.data());
+  SetSteeringAndBrakes(vehicle, AckermannGeometry(vehicle), command, controls);
+}
+
+void SetSteeringAndBrakes(const VehicleModel& vehicle, const AckermannGeometry& geometry,
+                          const DriverCommand& command, WheelControls<double>& controls) {
+  AckermannSines(vehicle, geometry, command.steer, controls.steer_sine.data());
   for (std::size_t i = 0; i < vehicle.wheels.size(); ++i) {
     controls.brake_torque[i] = command.brake * vehicle.wheels[i].brake_torque;
   }
 }
 
+int CountDrivenWheels(const VehicleModel& vehicle) {
+  int count = 0;
+  for (const WheelModel& wheel : vehicle.wheels) count += IsDriven(vehicle, wheel);
+  return count;
+}
+
+double DriveTorquePerWheel(const PowertrainModel& model, const DriverCommand& command, double spin,
+                           int driven, double dt, PowertrainState& powertrain) {
+  SelectDirection(command.reverse, powertrain);
+  return UpdatePowertrain(model, command.engine_torque, spin, dt, powertrain) / driven;
+}
+
 void SetDriveTorques(const VehicleModel& vehicle, const DriverCommand& command,
                      const WheelSpins& spins, double dt, PowertrainState& powertrain,
                      WheelControls<double>& controls) {
-  const auto driven = [&](std::size_t i) {
-    return vehicle.axles[static_cast<std::size_t>(vehicle.wheels[i].axle)].driven;
-  };
   double sum = 0;
   int count = 0;
   for (std::size_t i = 0; i < vehicle.wheels.size(); ++i) {
-    if (!driven(i)) continue;
+    if (!IsDriven(vehicle, vehicle.wheels[i])) continue;
     sum += spins[i];
     ++count;
   }
   if (count == 0) return;
-  SelectDirection(command.reverse, powertrain);
   const double torque =
-      UpdatePowertrain(vehicle.powertrain, command.engine_torque, sum / count, dt, powertrain);
+      DriveTorquePerWheel(vehicle.powertrain, command, sum / count, count, dt, powertrain);
   for (std::size_t i = 0; i < vehicle.wheels.size(); ++i) {
-    controls.drive_torque[i] = driven(i) ? torque / count : 0;
+    controls.drive_torque[i] = IsDriven(vehicle, vehicle.wheels[i]) ? torque : 0;
   }
 }
 

@@ -16,6 +16,16 @@ WheelSpins SpinsOf(const EngineState<double>& state);
 
 void SetSteeringAndBrakes(const VehicleModel& vehicle, const DriverCommand& command,
                           WheelControls<double>& controls);
+/// The same where the vehicle's geometry is at hand.
+void SetSteeringAndBrakes(const VehicleModel& vehicle, const AckermannGeometry& geometry,
+                          const DriverCommand& command, WheelControls<double>& controls);
+
+int CountDrivenWheels(const VehicleModel& vehicle);
+
+/// Advances the powertrain by `dt`; returns the torque on each of `driven` wheels, which turn at
+/// `spin` [rad/s] on average.
+double DriveTorquePerWheel(const PowertrainModel& model, const DriverCommand& command, double spin,
+                           int driven, double dt, PowertrainState& powertrain);
 
 /// Advances the powertrain by `dt`. The torque is shared evenly among driven wheels: open
 /// differentials; what locked and limited-slip ones move across is found with the spins.

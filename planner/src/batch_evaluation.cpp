@@ -28,7 +28,9 @@ DriveTask TaskOf(const Candidate& candidate, const PlanOptions& options) {
 void DriveInLanes(const Terrain& terrain, const VehicleModel& vehicle, int threads,
                   DriveQueue& queue) {
   const auto workers = static_cast<std::size_t>(threads);
-  const LaneKind kind = LanesFor((queue.tasks.size() + workers - 1) / workers);
+  const std::size_t drives = (queue.tasks.size() + workers - 1) / workers;
+  const LaneKind kind = LanesFor(drives);
+  queue.order = StartingOrder(queue.tasks, workers * LaneCount(kind));
   tbb::parallel_for(
       std::size_t{0}, workers, [&](std::size_t) { LaneBatch(terrain, vehicle, kind).Run(queue); },
       tbb::simple_partitioner());
@@ -69,7 +71,7 @@ std::vector<Rollout> EvaluateRollouts(const Terrain& terrain, const VehicleModel
     const std::lock_guard lock(report_mutex);
     on_done(rollout);
   };
-  DriveQueue queue{tasks, rollouts, report, stop};
+  DriveQueue queue{tasks, {}, rollouts, report, stop};
   WorkArena arena(options.threads);
   arena.Execute([&] {
     if (options.engine == RolloutEngine::kLanes) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "observation.h"
 #include "speed_limits.h"
 
 namespace dbd {
@@ -25,14 +24,13 @@ std::vector<double> SpeedLimits(const Terrain& terrain, const VehicleModel& vehi
 DriveSession::DriveSession(const Terrain& terrain, const VehicleModel& vehicle, const Path& path,
                            const Eigen::Vector2d& start, double heading,
                            const DriveOptions& options, double control_step)
-    : terrain_(terrain),
-      vehicle_(vehicle),
-      path_(path),
+    : path_(path),
       options_(options),
       driver_(vehicle, path,
               {.target_speed = options.target_speed,
                .speed_limits = SpeedLimits(terrain, vehicle, path, options)}),
       ride_(control_step),
+      observer_(terrain, vehicle, options.sinkage),
       judge_(vehicle, options.stop_at_violation),
       control_step_(control_step),
       look_every_(std::max(1, static_cast<int>(kLookInterval / control_step + 0.5))) {
@@ -40,9 +38,18 @@ DriveSession::DriveSession(const Terrain& terrain, const VehicleModel& vehicle, 
 }
 
 void DriveSession::Feel(double vertical_acceleration) {
-  const double smooth = ride_.Update(vertical_acceleration);
-  felt_squares_ += smooth * smooth;
-  ++felt_;
+  if (unread_ == unread_accelerations_.size()) ReadFelt();
+  unread_accelerations_[unread_++] = vertical_acceleration;
+}
+
+/// The ride meter's filters are wanted at the looks only.
+void DriveSession::ReadFelt() {
+  for (std::size_t i = 0; i < unread_; ++i) {
+    const double smooth = ride_.Update(unread_accelerations_[i]);
+    felt_squares_ += smooth * smooth;
+  }
+  felt_ += static_cast<int>(unread_);
+  unread_ = 0;
 }
 
 DriverCommand DriveSession::Decide(const VehicleSnapshot& snapshot) {
@@ -59,6 +66,7 @@ DriverCommand DriveSession::Decide(const VehicleSnapshot& snapshot) {
 
 bool DriveSession::Look(const VehicleSnapshot& snapshot, bool sane, double energy) {
   energy_ = energy;
+  ReadFelt();
   const std::optional<Verdict> verdict = Judge(snapshot, sane);
   if (verdict) Finish(*verdict, snapshot.time, energy);
   return verdict.has_value();
@@ -71,7 +79,7 @@ std::optional<Verdict> DriveSession::Judge(const VehicleSnapshot& snapshot, bool
   if (!sane) {
     return Verdict{Outcome::kDiverged, "the simulation of this vehicle became unstable"};
   }
-  Observation observation = Observe(snapshot, terrain_, vehicle_, options_.sinkage);
+  Observation observation = observer_.Observe(snapshot);
   rollout_.distance += (place - last_place_.value_or(place)).head<2>().norm();
   last_place_ = place;
   observation.sample.s = rollout_.distance;

@@ -5,9 +5,11 @@
 #include <dbd/core/simulation.h>
 #include <dbd/planner/drive.h>
 
+#include <array>
 #include <optional>
 
 #include "judge.h"
+#include "observation.h"
 
 namespace dbd {
 
@@ -42,20 +44,22 @@ class DriveSession {
  private:
   std::optional<Verdict> Judge(const VehicleSnapshot& snapshot, bool sane);
   std::optional<Verdict> LookAtEnd(const VehicleSnapshot& snapshot) const;
+  void ReadFelt();
   void Record(const TraceSample& sample);
   void Finish(const Verdict& verdict, double time, double energy);
 
-  const Terrain& terrain_;
-  const VehicleModel& vehicle_;
   const Path& path_;
   DriveOptions options_;
   Rollout rollout_;
   Driver driver_;
   DriverState driver_state_;
   RideMeter ride_;
+  Observer observer_;
   dbd::Judge judge_;
   double control_step_;
   int look_every_;
+  std::array<double, 8> unread_accelerations_{};  // the last that were felt [m/s^2]
+  std::size_t unread_ = 0;
   double felt_squares_ = 0;  // of vertical accelerations since the last decision [m^2/s^4]
   int felt_ = 0;
   double next_row_ = 0;  // of the trace: time or distance

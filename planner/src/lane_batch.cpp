@@ -1,12 +1,26 @@
 #include "lane_batch.h"
 
+#include <algorithm>
+#include <numeric>
+
 namespace dbd {
 
 /// Looks before it counts, so that asking again and again at the end never overflows the counter.
 std::optional<std::size_t> DriveQueue::TakeNext() {
-  if (next >= tasks.size()) return std::nullopt;
+  if (next >= order.size()) return std::nullopt;
   const std::size_t taken = next++;
-  return taken < tasks.size() ? std::optional(taken) : std::nullopt;
+  return taken < order.size() ? std::optional(order[taken]) : std::nullopt;
+}
+
+std::vector<std::size_t> StartingOrder(const std::vector<DriveTask>& tasks, std::size_t lanes) {
+  std::vector<std::size_t> order(tasks.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const std::size_t last = std::min(lanes, tasks.size() - std::min(lanes, tasks.size()));
+  std::stable_sort(order.end() - static_cast<std::ptrdiff_t>(last), order.end(),
+                   [&](std::size_t a, std::size_t b) {
+                     return tasks[a].path->length() > tasks[b].path->length();
+                   });
+  return order;
 }
 
 LaneBatch::LaneBatch(const Terrain& terrain, const VehicleModel& vehicle, LaneKind kind)
@@ -90,6 +104,11 @@ LaneKind LanesFor(std::size_t drives) {
   if (drives <= 4 || !LaneKindAvailable(LaneKind::kFloat8)) return LaneKind::kFloat4;
   if (drives <= 8 || !LaneKindAvailable(LaneKind::kFloat16)) return LaneKind::kFloat8;
   return LaneKind::kFloat16;
+}
+
+std::size_t LaneCount(LaneKind kind) {
+  if (kind == LaneKind::kFloat16) return 16;
+  return kind == LaneKind::kFloat8 ? 8 : 4;
 }
 
 }  // namespace dbd

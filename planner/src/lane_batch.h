@@ -25,6 +25,7 @@ struct DriveTask {
 /// Drives that several workers share: each takes the next one when a lane of its own is free.
 struct DriveQueue {
   const std::vector<DriveTask>& tasks;
+  std::vector<std::size_t> order;               ///< in which the tasks begin: `StartingOrder`
   std::vector<Rollout>& rollouts;               ///< slot i is task i
   std::function<void(const Rollout&)> on_done;  ///< may be called from any worker
   std::stop_token stop;
@@ -33,6 +34,11 @@ struct DriveQueue {
   /// The next drive that nobody has taken, if any is left.
   std::optional<std::size_t> TakeNext();
 };
+
+/// In which order tasks begin on so many lanes, in all threads together: as they come, but for the
+/// last on each lane. Those begin with the longest, so that short ones are left when lanes run out
+/// of work: a pack takes its time for one vehicle as for all.
+std::vector<std::size_t> StartingOrder(const std::vector<DriveTask>& tasks, std::size_t lanes);
 
 /// A pack of vehicles and what drives and judges each of them. Which lane takes which drive, and
 /// beside which neighbours, changes no bit of the drive.
@@ -67,5 +73,7 @@ class LaneBatch {
 
 /// The narrowest lanes that take `drives` at once: fewer vehicles step faster.
 LaneKind LanesFor(std::size_t drives);
+/// Of a kind that `LanesFor` returns.
+std::size_t LaneCount(LaneKind kind);
 
 }  // namespace dbd

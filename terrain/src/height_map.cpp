@@ -119,6 +119,28 @@ bool HeightMap::IsKnown(double x, double y) const {
          IsCellKnown(column + 1, row + 1);
 }
 
+bool HeightMap::IsBoxKnown(const Eigen::Vector2d& low, const Eigen::Vector2d& high) const {
+  constexpr int kMostCells = 64;
+  const Eigen::Vector2d first = (low - grid_.first_center).cwiseProduct(inverse_cell_size_);
+  const Eigen::Vector2d last = (high - grid_.first_center).cwiseProduct(inverse_cell_size_);
+  const bool inside = first.x() >= 0 && first.y() >= 0 && last.x() <= last_index_.x() &&
+                      last.y() <= last_index_.y();
+  if (!inside || unknown_share_ == 0) return inside;
+  const int west = SquareOf(first.x(), last_index_.x()), east = SquareOf(last.x(), last_index_.x());
+  const int south = SquareOf(first.y(), last_index_.y());
+  const int north = SquareOf(last.y(), last_index_.y());
+  if (std::max(east - west, north - south) + 2 > kMostCells ||
+      (east - west + 2) * (north - south + 2) > kMostCells) {
+    return false;
+  }
+  for (int row = south; row <= north + 1; ++row) {
+    for (int column = west; column <= east + 1; ++column) {
+      if (!IsCellKnown(column, row)) return false;
+    }
+  }
+  return true;
+}
+
 bool HeightMap::IsCellKnown(int column, int row) const {
   return known_[static_cast<std::size_t>(row) * grid_.columns + column] != 0;
 }

@@ -49,4 +49,8 @@ bool Terrain::IsKnown(double x, double y) const {
   return tin_ ? tin_->FindHeight(x, y, &z) : heights_.IsKnown(x, y);
 }
 
+bool Terrain::IsBoxKnown(const Eigen::Vector2d& low, const Eigen::Vector2d& high) const {
+  return !tin_ && heights_.IsBoxKnown(low, high);
+}
+
 }  // namespace dbd

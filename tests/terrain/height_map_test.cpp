@@ -87,6 +87,19 @@ TEST(HeightMap, KnowsAPlaceOnlyWithItsFourCellsAndInside) {
   EXPECT_FALSE(map.IsKnown(std::nan(""), -3));
 }
 
+TEST(HeightMap, KnowsABoxOnlyWithAllPlacesInIt) {
+  std::vector<float> heights(16, 1.0F);
+  const HeightMap whole(MakeGrid(4, 4), heights);
+  heights[0] = kNan;
+  const HeightMap map(MakeGrid(4, 4), heights);
+  EXPECT_TRUE(map.IsBoxKnown({11.1, -4.9}, {13, -2}));
+  EXPECT_FALSE(map.IsBoxKnown({10.9, -4.1}, {13, -2}));
+  EXPECT_TRUE(whole.IsBoxKnown({10, -5}, {13, -2}));
+  EXPECT_FALSE(whole.IsBoxKnown({10, -5}, {13.01, -2}));
+  EXPECT_FALSE(whole.IsBoxKnown({9.99, -5}, {13, -2}));
+  EXPECT_FALSE(whole.IsBoxKnown({10, -5}, {std::nan(""), -2}));
+}
+
 // Hash-like bumps; the bound is compared with dense samples.
 TEST(HeightMap, BoundIsNeverTooLow) {
   for (const double cell : {0.1, 0.7, 1.0, 5.0}) {

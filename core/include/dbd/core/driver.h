@@ -98,7 +98,16 @@ class Driver {
 /// (Ackermann). Indexed like `vehicle.wheels`.
 std::vector<double> AckermannAngles(const VehicleModel& vehicle, double steer);
 
+/// What of a vehicle its steer angles depend on beside the axles.
+struct AckermannGeometry {
+  explicit AckermannGeometry(const VehicleModel& vehicle);
+
+  double path_point_x;
+  double wheelbase;  ///< from the path point to the steered axle farthest from it, signed [m]
+};
+
 /// The same for hot loops: sines, written to `sines`.
-void AckermannSines(const VehicleModel& vehicle, double steer, double* sines);
+void AckermannSines(const VehicleModel& vehicle, const AckermannGeometry& geometry, double steer,
+                    double* sines);
 
 }  // namespace dbd

@@ -47,6 +47,9 @@ class HeightMap {
   /// The place is inside and all four cells round it are known.
   bool IsKnown(double x, double y) const;
 
+  /// True where `IsKnown` holds throughout a box, unless it spans too many cells to look at.
+  bool IsBoxKnown(const Eigen::Vector2d& low, const Eigen::Vector2d& high) const;
+
   /// Whether the height of this cell was given.
   bool IsCellKnown(int column, int row) const;
   double CellHeight(int column, int row) const;

@@ -71,6 +71,8 @@ class Terrain final : public Ground {
   void HighestWithin(double radius, int count, const double* x, const double* y,
                      double* z) const override;
   bool IsKnown(double x, double y) const override;
+  /// True where `IsKnown` holds throughout a box; may be false where that takes long to find out.
+  bool IsBoxKnown(const Eigen::Vector2d& low, const Eigen::Vector2d& high) const;
   std::optional<GroundGrid> Grid() const override;
   std::optional<GroundFacets> Facets() const override;
   std::optional<GroundSoils> SoilClasses() const override;
