@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "row_loop.h"
 #include "trafficability_grid.h"
 
 namespace dbd {
@@ -94,8 +95,7 @@ void TrafficabilityLayer::FillCells(double half_footprint, double step_limit,
   cells_->reserve(fits.size());
   internal::AdviseHugePages(cells_->data(), fits.size() * sizeof(Cell));
   cells_->resize(fits.size());
-  for (int row = 0; row < rows_; ++row) {
-    ThrowIfStopped(stop);
+  ForEachRow(0, rows_, stop, [&](int row) {
     for (int column = 0; column < columns_; ++column) {
       const std::size_t i = grid.Index(column, row);
       Cell& cell = (*cells_)[i];
@@ -116,7 +116,7 @@ void TrafficabilityLayer::FillCells(double half_footprint, double step_limit,
         cell.reason = NoGoReason::kSlope;
       }
     }
-  }
+  });
 }
 
 TrafficabilityLayer::Footing TrafficabilityLayer::FootingOn(const VehicleModel& vehicle,
