@@ -29,7 +29,14 @@ double DubinsSpace::distance(const ob::State* from, const ob::State* to) const {
   const std::hash<const ob::State*> hash;
   KnownDistance& known = known_[(hash(from) / sizeof(double) + 31 * hash(to)) % kKnownDistances];
   const std::array<double, 6> ends{a.x, a.y, a.heading, b.x, b.y, b.heading};
-  if (known.ends != ends) known = {ends, ShortestDubinsCurve(a, b, rho_).length()};
+  if (known.ends != ends) {
+    // One of the ends is mostly that of the last question.
+    if (a.heading != last_from_.heading) last_from_ = DirectedPose(a);
+    if (b.heading != last_to_.heading) last_to_ = DirectedPose(b);
+    last_from_.x = a.x, last_from_.y = a.y;
+    last_to_.x = b.x, last_to_.y = b.y;
+    known = {ends, ShortestDubinsCurve(last_from_, last_to_, rho_).length()};
+  }
   return known.length;
 }
 
