@@ -1,7 +1,6 @@
 #include "map_image.h"
 
 #include <cairo.h>
-#include <dbd/core/error.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,7 @@
 #include "map_canvas.h"
 #include "map_legend.h"
 #include "map_view.h"
+#include "png_file.h"
 #include "relief.h"
 #include "text.h"
 
@@ -201,9 +201,10 @@ MapLayout WriteMapImage(const std::filesystem::path& file, const Terrain& terrai
   DrawMap(context.get(), view, content, &relief);
   DrawFooter(context.get(), view, legend, footer);
   cairo_surface_flush(surface.get());
-  if (cairo_surface_write_to_png(surface.get(), file.c_str()) != CAIRO_STATUS_SUCCESS) {
-    throw InputError(file.string() + ": cannot be written");
-  }
+  const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface.get()));
+  const auto* pixels =
+      reinterpret_cast<const std::uint32_t*>(cairo_image_surface_get_data(surface.get()));
+  WritePng(file, {layout.width, layout.height, stride / sizeof *pixels, pixels});
   return layout;
 }
 

@@ -1,6 +1,7 @@
 #include "plan_files.h"
 
 #include "console.h"
+#include "file_writers.h"
 #include "geojson.h"
 #include "map_image.h"
 #include "report_page.h"
@@ -35,20 +36,26 @@ MapContent PlanMapContent(const PlanRecord& record) {
 
 void WritePlanFiles(const PlanRecord& record, OutputDirectory* output) {
   const LocalFrame& frame = record.terrain.frame();
-  WriteTextFile(output->Stage("plan.json"), PlanJson(record));
-  const std::filesystem::path image = output->Stage("map.png");
-  const MapLayout layout = WriteMapImage(image, record.terrain, PlanMapContent(record));
-  WriteTextFile(output->Stage("report.html"), ReportPage(record, image, layout));
+  FileWriters writers(record.options.threads);
+  const auto plan = output->Stage("plan.json");
+  // The longest first.
+  writers.Run([&record, image = output->Stage("map.png"), report = output->Stage("report.html")] {
+    const MapLayout layout = WriteMapImage(image, record.terrain, PlanMapContent(record));
+    WriteTextFile(report, ReportPage(record, image, layout));
+  });
   if (frame.has_crs()) {
-    WriteTextFile(output->Stage("candidates.geojson"), CandidatesGeoJson(record.plan, frame));
+    writers.WriteText(output->Stage("candidates.geojson"),
+                      [&] { return CandidatesGeoJson(record.plan, frame); });
   } else {
     PrintNote(
         "the elevation file has no coordinate system: route.csv in its coordinates instead of "
         "GeoJSON and GPX");
   }
+  writers.WriteText(plan, [&] { return PlanJson(record); });
   if (const Rollout* route = record.chosen()) {
-    WriteRouteFiles(*route, record.vehicle.name + " route", frame, output);
+    WriteRouteFiles(*route, record.vehicle.name + " route", frame, output, &writers);
   }
+  writers.Wait();
   output->Commit();
 }
 

@@ -1,5 +1,7 @@
 #include "relief.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,8 +18,8 @@ class HeightSamples {
         columns_(view.width + 2 * border_),
         spacing_(border_ * view.pixel_size),
         heights_(static_cast<std::size_t>(columns_) * (view.height + 2 * border_)) {
-    std::vector<double> x(columns_), y(columns_);
-    for (int row = 0; row < view.height + 2 * border_; ++row) {
+    tbb::parallel_for(0, view.height + 2 * border_, [&](int row) {
+      std::vector<double> x(columns_), y(columns_);
       for (int column = 0; column < columns_; ++column) {
         const Eigen::Vector2d place = view.ToLocal({column - border_ + 0.5, row - border_ + 0.5});
         x[column] = place.x();
@@ -25,7 +27,7 @@ class HeightSamples {
       }
       terrain.Heights(columns_, x.data(), y.data(),
                       &heights_[static_cast<std::size_t>(row) * columns_]);
-    }
+    });
   }
 
   double At(int column, int row) const {
@@ -99,18 +101,32 @@ Color Tint(double share) {
   return Mix(kRamp[below], kRamp[below + 1], at - static_cast<double>(below));
 }
 
-/// Lambert shading by one light, 1 on level ground.
-double Shade(const Eigen::Vector2d& gradient, double azimuth_deg, double altitude_deg) {
-  const double azimuth = azimuth_deg * std::numbers::pi / 180;
-  const double altitude = altitude_deg * std::numbers::pi / 180;
-  const Eigen::Vector2d to_light(std::sin(azimuth), std::cos(azimuth));
-  const double lit = std::sin(altitude) - std::cos(altitude) * gradient.dot(to_light);
-  return std::max(0.0, lit) / std::sqrt(1 + gradient.squaredNorm()) / std::sin(altitude);
+/// A light far off, by where it stands.
+struct Light {
+  Light(double azimuth_deg, double altitude_deg)
+      : to_light(std::sin(azimuth_deg * std::numbers::pi / 180),
+                 std::cos(azimuth_deg * std::numbers::pi / 180)),
+        sin_altitude(std::sin(altitude_deg * std::numbers::pi / 180)),
+        cos_altitude(std::cos(altitude_deg * std::numbers::pi / 180)) {}
+
+  Eigen::Vector2d to_light;
+  double sin_altitude;
+  double cos_altitude;
+};
+
+/// Lambert shading by one light, 1 on level ground. `steepness`: the length of the ground's normal
+/// whose vertical part is 1.
+double Shade(const Eigen::Vector2d& gradient, double steepness, const Light& light) {
+  const double lit = light.sin_altitude - light.cos_altitude * gradient.dot(light.to_light);
+  return std::max(0.0, lit) / steepness / light.sin_altitude;
 }
 
 Color Lit(const Color& color, const Eigen::Vector2d& gradient) {
-  const double shade = 0.65 * Shade(gradient, 315, 45) + 0.2 * Shade(gradient, 270, 50) +
-                       0.15 * Shade(gradient, 0, 60);
+  static const Light north_west(315, 45), west(270, 50), north(0, 60);
+  const double steepness = std::sqrt(1 + gradient.squaredNorm());
+  const double shade = 0.65 * Shade(gradient, steepness, north_west) +
+                       0.2 * Shade(gradient, steepness, west) +
+                       0.15 * Shade(gradient, steepness, north);
   if (shade < 1) return Mix(Hex(0x2b2f45), color, 0.25 + 0.75 * shade);
   return Mix(color, Hex(0xffffff), std::min(0.6, 0.8 * (shade - 1)));
 }
@@ -206,12 +222,13 @@ Color MaterialTint(const Material& material, std::size_t place) {
 ReliefImage RenderRelief(const Terrain& terrain, const MapView& view, double obstacle_height) {
   const ReliefPainter painter(terrain, view, obstacle_height);
   ReliefImage image{view.width, view.height, {}, painter.contour_interval(), painter.materials()};
-  image.pixels.reserve(static_cast<std::size_t>(view.width) * view.height);
-  for (int row = 0; row < view.height; ++row) {
+  image.pixels.resize(static_cast<std::size_t>(view.width) * view.height);
+  tbb::parallel_for(0, view.height, [&](int row) {
+    std::uint32_t* line = &image.pixels[static_cast<std::size_t>(row) * view.width];
     for (int column = 0; column < view.width; ++column) {
-      image.pixels.push_back(Pixel(painter.At(column, row)));
+      line[column] = Pixel(painter.At(column, row));
     }
-  }
+  });
   return image;
 }
 

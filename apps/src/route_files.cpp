@@ -2,22 +2,27 @@
 
 #include "geojson.h"
 #include "route_formats.h"
-#include "text.h"
 #include "trace_table.h"
 
 namespace dbd {
 
 void WriteRouteFiles(const Rollout& route, const std::string& name, const LocalFrame& frame,
-                     OutputDirectory* output) {
-  WriteTextFile(output->Stage("trace.csv"), TraceCsv(route.trace, frame));
+                     OutputDirectory* output, FileWriters* writers) {
+  writers->WriteText(output->Stage("trace.csv"), [&] { return TraceCsv(route.trace, frame); });
   if (!frame.has_crs()) {
-    WriteTextFile(output->Stage("route.csv"), RouteCsv(route.trace, frame));
+    writers->WriteText(output->Stage("route.csv"), [&] { return RouteCsv(route.trace, frame); });
     return;
   }
-  WriteTextFile(output->Stage("route.geojson"), RouteGeoJson(route, name, frame));
-  WriteGpx(output->Stage("route.gpx"), route, name, frame);
-  WriteKml(output->Stage("route.kml"), route, name, frame);
-  WriteGeoPackage(output->Stage("route.gpkg"), route, name, frame);
+  writers->WriteText(output->Stage("route.geojson"),
+                     [&, name] { return RouteGeoJson(route, name, frame); });
+  const auto write = [&](const char* file, auto* format) {
+    writers->Run([&route, &frame, name, format, path = output->Stage(file)] {
+      format(path, route, name, frame);
+    });
+  };
+  write("route.gpx", &WriteGpx);
+  write("route.kml", &WriteKml);
+  write("route.gpkg", &WriteGeoPackage);
 }
 
 }  // namespace dbd

@@ -84,7 +84,11 @@ void Write(const char* format, const std::filesystem::path& file,
   // So that one plan gives the same file today and tomorrow.
   CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", "2000-01-01T00:00:00Z");
   GDALDataset* dataset = driver->Create(file.c_str(), 0, 0, 0, GDT_Unknown, nullptr);
-  const bool written = dataset && fill(dataset);
+  // In a database each feature would be a transaction of its own.
+  const bool is_database = dataset && dataset->TestCapability(ODsCTransactions);
+  const bool begun = dataset && (!is_database || dataset->StartTransaction() == OGRERR_NONE);
+  const bool filled = begun && fill(dataset);
+  const bool written = filled && (!is_database || dataset->CommitTransaction() == OGRERR_NONE);
   if (dataset) GDALClose(dataset);
   CPLSetThreadLocalConfigOption("OGR_CURRENT_DATE", nullptr);
   if (!written) throw InputError(file.string() + ": cannot be written");

@@ -12,6 +12,7 @@
 
 #include "cli.h"
 #include "console.h"
+#include "file_writers.h"
 #include "interrupt.h"
 #include "map_image.h"
 #include "output_directory.h"
@@ -138,9 +139,15 @@ void WriteFiles(const SimulationRecord& record, OutputDirectory* output) {
         "the elevation file has no coordinate system: route.csv in its coordinates instead "
         "of GeoJSON and GPX");
   }
-  WriteTextFile(output->Stage("simulate.json"), SimulationJson(record));
-  WriteMapImage(output->Stage("map.png"), record.terrain, SimulationMap(record));
-  WriteRouteFiles(record.rollout, record.vehicle.name + " drive", record.terrain.frame(), output);
+  FileWriters writers;
+  const auto answer = output->Stage("simulate.json");
+  writers.Run([&record, image = output->Stage("map.png")] {
+    WriteMapImage(image, record.terrain, SimulationMap(record));
+  });
+  writers.WriteText(answer, [&] { return SimulationJson(record); });
+  WriteRouteFiles(record.rollout, record.vehicle.name + " drive", record.terrain.frame(), output,
+                  &writers);
+  writers.Wait();
   output->Commit();
 }
 

@@ -8,25 +8,35 @@
 namespace dbd {
 namespace {
 
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
 int StepCount(double length) {
   return std::max(1, static_cast<int>(std::ceil(length / kPoseStep)));
 }
 
-double StepRate(const TrafficabilityLayer& layer, const Pose2& pose) {
-  const double rate = layer.SecondsPerMetre(pose.x, pose.y, pose.heading);
+double StepRate(const TrafficabilityLayer& layer, const DirectedPose& pose) {
+  const double rate = layer.SecondsPerMetre(pose);
   return pose.reverse ? std::max(rate, 1 / kReverseSpeed) + kReverseCost : rate;
 }
 
 }  // namespace
 
-double CurveCost(const TrafficabilityLayer& layer, const Pose2& from, const DubinsCurve& curve) {
+double CurveCost(const TrafficabilityLayer& layer, const Pose2& from, const DubinsCurve& curve,
+                 double limit) {
   const DubinsSampler sampler(from, curve);
   const int steps = StepCount(sampler.length());
   const double step = sampler.length() / steps;
+  // What the rates add up to at the limit, with room for rounding.
+  const double most = (1 + 1e-9) * limit / step;
   double rates = 0;
+  DirectedPose next = sampler.At(step);
   for (int i = 1; i <= steps; ++i) {
-    rates += StepRate(layer, sampler.At(i * step));
-    if (std::isinf(rates)) return rates;
+    const DirectedPose pose = next;
+    next = sampler.At((i + 1) * step);
+    layer.Prefetch(next);
+    rates += StepRate(layer, pose);
+    const double at_least = rates + (steps - i) * layer.min_seconds_per_metre();
+    if (!(at_least <= most) || std::isinf(rates)) return kInfinity;
   }
   return rates * step + (from.reverse != curve.reverse ? kGearChangeCost : 0);
 }
@@ -57,7 +67,7 @@ std::vector<Pose2> DensePoses(const std::vector<Pose2>& waypoints, double turnin
 
 double StepCost(const TrafficabilityLayer& layer, const Pose2& from, const Pose2& to) {
   const double length = (to.position() - from.position()).norm();
-  const double cost = length * StepRate(layer, to);
+  const double cost = length * StepRate(layer, DirectedPose(to));
   return from.reverse == to.reverse ? cost : cost + kGearChangeCost;
 }
 

@@ -49,10 +49,10 @@ bool CandidatePool::Offer(RouteDraft draft, double share) {
   Entry entry(std::move(draft));
   bool taken = IsWorthwhile(entry);
   for (const std::vector<Eigen::Vector2d>& trace : known_) {
-    taken = taken && Separation(entry.trace, trace) >= least;
+    taken = taken && SeparationUpTo(least, entry.trace, trace) >= least;
   }
   for (const Entry& other : taken_) {
-    taken = taken && Separation(entry.trace, other.trace) >= least;
+    taken = taken && SeparationUpTo(least, entry.trace, other.trace) >= least;
   }
   (taken ? taken_ : reserve_).push_back(std::move(entry));
   return taken;
@@ -65,7 +65,7 @@ void CandidatePool::CompareReserveWith(std::size_t first_taken) {
 void CandidatePool::CompareReserveWith(const std::vector<Eigen::Vector2d>& trace) {
   for (Entry& waiting : reserve_) {
     ThrowIfStopped(stop_);
-    waiting.separation = std::min(waiting.separation, Separation(waiting.trace, trace));
+    waiting.separation = SeparationUpTo(waiting.separation, waiting.trace, trace);
   }
 }
 

@@ -18,6 +18,7 @@ struct RouteDraft {
   std::vector<Pose2> poses;
   double cost = 0;                ///< by the layer [s]
   std::vector<Pose2> unsmoothed;  ///< the route as it was found, empty when it is `poses`
+  double unsmoothed_cost = 0;     ///< by the layer [s]
 };
 
 /// Keeps routes that differ from each other, in the order of their arrival.

@@ -151,9 +151,8 @@ void CandidateSearch::OfferAll(std::vector<RouteDraft> drafts, CandidatePool* po
 }
 
 void CandidateSearch::ReserveUnsmoothed(RouteDraft* draft, CandidatePool* pool) const {
-  RouteDraft variant{draft->origin, std::move(draft->unsmoothed), 0, {}};
+  RouteDraft variant{draft->origin, std::move(draft->unsmoothed), draft->unsmoothed_cost, {}};
   draft->unsmoothed.clear();
-  variant.cost = PosesCost(layer_, variant.poses);
   if (std::isfinite(variant.cost)) pool->Reserve(std::move(variant));
 }
 
@@ -239,8 +238,8 @@ std::vector<RouteDraft> CandidateSearch::Generate(const Wave& wave) {
     }
   };
   const auto sample = [&] {
-    // The long runs first.
-    tbb::parallel_for(0, sampled, [&](int i) {
+    // The long runs first, each a task of its own.
+    const auto run = [&](int i) {
       const bool optimize = i < wave.abit_star;
       const OmplPlanner planner = optimize ? OmplPlanner::kAbitStar : OmplPlanner::kRrtConnect;
       const int iterations =
@@ -251,7 +250,8 @@ std::vector<RouteDraft> CandidateSearch::Generate(const Wave& wave) {
           SolveWithOmpl(planner, layer_, ompl_query, seed, iterations, stop_),
           0,
           {}};
-    });
+    };
+    tbb::parallel_for(0, sampled, 1, run, tbb::simple_partitioner());
   };
   tbb::parallel_invoke(search_roadmap, sample);
   tbb::parallel_for(std::size_t{0}, drafts.size(), [&](std::size_t i) {
@@ -318,8 +318,14 @@ void CandidateSearch::Finish(RouteDraft* draft, std::uint64_t seed) const {
   smoothing.free_start = !request_.start_heading.has_value();
   smoothing.free_goal = !request_.goal_heading.has_value();
   draft->unsmoothed = DensePoses(draft->poses, turning_radius_);
-  draft->poses = SmoothRoute(layer_, turning_radius_, draft->unsmoothed, smoothing, seed);
-  if (AllGo(layer_, draft->poses)) draft->cost = PosesCost(layer_, draft->poses);
+  SmoothedRoute smooth = SmoothRoute(layer_, turning_radius_, draft->unsmoothed, smoothing, seed);
+  draft->unsmoothed_cost = smooth.former_cost;
+  draft->poses = std::move(smooth.poses);
+  // A cost is finite where all poses after the first are go.
+  const Pose2& first = draft->poses.front();
+  const bool all_go =
+      std::isfinite(smooth.cost) && layer_.Evaluate(first.x, first.y, first.heading).go();
+  if (all_go) draft->cost = smooth.cost;
 }
 
 std::optional<NoRouteDiagnosis> CandidateSearch::DiagnoseEnds() const {

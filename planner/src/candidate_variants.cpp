@@ -96,12 +96,13 @@ class Variation {
   std::optional<Candidate> Smoothed(std::uint64_t seed) const {
     SmoothingOptions options;
     options.attempts = kSmoothingAttempts;
-    const std::vector<Pose2> before = PosesAlong(parent_.path);
-    const std::vector<Pose2> after = SmoothRoute(layer_, turning_radius_, before, options, seed);
-    if (PosesCost(layer_, after) >= PosesCost(layer_, before)) return std::nullopt;
+    const SmoothedRoute after =
+        SmoothRoute(layer_, turning_radius_, PosesAlong(parent_.path), options, seed);
+    if (after.cost >= after.former_cost) return std::nullopt;
     Candidate smooth = Named("smooth");
     smooth.meant = Path();
-    smooth.path = PathAlong(after, parent_.path.points().front(), parent_.path.points().back());
+    smooth.path =
+        PathAlong(after.poses, parent_.path.points().front(), parent_.path.points().back());
     return Priced(std::move(smooth));
   }
 

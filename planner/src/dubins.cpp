@@ -17,15 +17,18 @@ constexpr double kEndTolerance = 1e-7;
 double PositiveAngle(double angle) { return angle - kFullTurn * std::floor(angle / kFullTurn); }
 
 // A unit-radius pose advanced by a piece of the given length.
-Pose2 Advance(const Pose2& from, Turn turn, double length) {
-  const double sign = static_cast<double>(turn);
+DirectedPose Advance(const DirectedPose& from, Turn turn, double length) {
   if (turn == Turn::kStraight) {
-    return {from.x + length * std::cos(from.heading), from.y + length * std::sin(from.heading),
-            from.heading};
+    DirectedPose to = from;
+    to.x += length * from.cos_h;
+    to.y += length * from.sin_h;
+    return to;
   }
-  const double heading = from.heading + sign * length;
-  return {from.x + sign * (std::sin(heading) - std::sin(from.heading)),
-          from.y - sign * (std::cos(heading) - std::cos(from.heading)), heading};
+  const double sign = static_cast<double>(turn);
+  DirectedPose to({from.x, from.y, from.heading + sign * length});
+  to.x += sign * (to.sin_h - from.sin_h);
+  to.y -= sign * (to.cos_h - from.cos_h);
+  return to;
 }
 
 using Word = std::array<Turn, 3>;
@@ -33,15 +36,15 @@ using Lengths = std::array<double, 3>;
 
 // From (0, 0, a) to (x, y, b) with unit radius.
 struct Problem {
-  Problem(const Pose2& from, const Pose2& to, double radius)
+  Problem(const DirectedPose& from, const DirectedPose& to, double radius)
       : a(from.heading),
         b(to.heading),
         x((to.x - from.x) / radius),
         y((to.y - from.y) / radius),
-        sa(std::sin(a)),
-        ca(std::cos(a)),
-        sb(std::sin(b)),
-        cb(std::cos(b)),
+        sa(from.sin_h),
+        ca(from.cos_h),
+        sb(to.sin_h),
+        cb(to.cos_h),
         left_turn(PositiveAngle(b - a)) {}
 
   // The shortest word is in `word` and `best` afterwards. Words go by what they take at least: the
@@ -151,7 +154,7 @@ struct Problem {
 
   void OfferIfMet(const Word& candidate, const Lengths& lengths) {
     if (lengths[0] + lengths[1] + lengths[2] >= shortest) return;
-    Pose2 end{0.0, 0.0, a};
+    DirectedPose end({0.0, 0.0, a});
     for (int i = 0; i < 3; ++i) end = Advance(end, candidate[i], lengths[i]);
     const double miss = std::hypot(end.x - x, end.y - y) + std::abs(WrapAngle(end.heading - b));
     if (miss < kEndTolerance) Keep(candidate, lengths);
@@ -171,7 +174,7 @@ Pose2 TurnedRound(Pose2 pose) {
   return pose;
 }
 
-DubinsCurve ShortestForwardCurve(const Pose2& from, const Pose2& to, double radius) {
+DubinsCurve ShortestForwardCurve(const DirectedPose& from, const DirectedPose& to, double radius) {
   Problem problem(from, to, radius);
   problem.Solve();
   DubinsCurve curve;
@@ -189,8 +192,13 @@ double WrapAngle(double angle) {
 }
 
 DubinsCurve ShortestDubinsCurve(const Pose2& from, const Pose2& to, double radius) {
+  return ShortestDubinsCurve(DirectedPose(from), DirectedPose(to), radius);
+}
+
+DubinsCurve ShortestDubinsCurve(const DirectedPose& from, const DirectedPose& to, double radius) {
   if (!to.reverse) return ShortestForwardCurve(from, to, radius);
-  DubinsCurve curve = ShortestForwardCurve(TurnedRound(from), TurnedRound(to), radius);
+  DubinsCurve curve =
+      ShortestForwardCurve(DirectedPose(TurnedRound(from)), DirectedPose(TurnedRound(to)), radius);
   curve.reverse = true;
   return curve;
 }
@@ -198,21 +206,20 @@ DubinsCurve ShortestDubinsCurve(const Pose2& from, const Pose2& to, double radiu
 DubinsSampler::DubinsSampler(const Pose2& from, const DubinsCurve& curve)
     : curve_(curve), length_(curve.length()) {
   const double heading = curve.reverse ? TurnedRound(from).heading : from.heading;
-  Pose2 scaled{from.x / curve.radius, from.y / curve.radius, heading};
-  for (int i = 0; i < 3; ++i) {
-    starts_[i] = scaled;
-    scaled = Advance(scaled, curve.turns[i], curve.lengths[i] / curve.radius);
+  starts_[0] = DirectedPose({from.x / curve.radius, from.y / curve.radius, heading});
+  for (std::size_t i = 1; i < starts_.size(); ++i) {
+    starts_[i] = Advance(starts_[i - 1], curve.turns[i - 1], curve.lengths[i - 1] / curve.radius);
   }
 }
 
-Pose2 DubinsSampler::At(double s) const {
+DirectedPose DubinsSampler::At(double s) const {
   double left = std::clamp(s, 0.0, length_);
   int piece = 0;
   while (piece < 2 && left > curve_.lengths[piece]) left -= curve_.lengths[piece++];
-  Pose2 pose = Advance(starts_[piece], curve_.turns[piece], left / curve_.radius);
+  DirectedPose pose = Advance(starts_[piece], curve_.turns[piece], left / curve_.radius);
   pose.x *= curve_.radius;
   pose.y *= curve_.radius;
-  if (curve_.reverse) pose = TurnedRound(pose);
+  if (curve_.reverse) pose = DirectedPose(TurnedRound(pose));
   pose.reverse = curve_.reverse;
   return pose;
 }

@@ -9,8 +9,9 @@ namespace dbd {
 namespace ob = ompl::base;
 
 namespace {
-constexpr std::size_t kKnownDistances = 4096;  // more than a planner compares with one state
-}
+// More than a planner compares with one state; a power of two, so that no division finds the place.
+constexpr std::size_t kKnownDistances = 4096;
+}  // namespace
 
 DubinsSpace::DubinsSpace(double turning_radius, const Eigen::Vector2d& min_corner,
                          const Eigen::Vector2d& max_corner)
@@ -26,9 +27,16 @@ double DubinsSpace::distance(const ob::State* from, const ob::State* to) const {
   const Pose2 a = ToPose(from), b = ToPose(to);
   // States stay where they are, so that their addresses tell most of them apart.
   const std::hash<const ob::State*> hash;
-  KnownDistance& known = known_[(hash(from) / sizeof(double) + 31 * hash(to)) % known_.size()];
+  KnownDistance& known = known_[(hash(from) / sizeof(double) + 31 * hash(to)) % kKnownDistances];
   const std::array<double, 6> ends{a.x, a.y, a.heading, b.x, b.y, b.heading};
-  if (known.ends != ends) known = {ends, ShortestDubinsCurve(a, b, rho_).length()};
+  if (known.ends != ends) {
+    // One of the ends is mostly that of the last question.
+    if (a.heading != last_from_.heading) last_from_ = DirectedPose(a);
+    if (b.heading != last_to_.heading) last_to_ = DirectedPose(b);
+    last_from_.x = a.x, last_from_.y = a.y;
+    last_to_.x = b.x, last_to_.y = b.y;
+    known = {ends, ShortestDubinsCurve(last_from_, last_to_, rho_).length()};
+  }
   return known.length;
 }
 

@@ -32,6 +32,7 @@ class DubinsSpace final : public ompl::base::DubinsStateSpace {
 
   // OMPL's search for neighbours sorts by distance and asks for each one about ten times.
   mutable std::vector<KnownDistance> known_;
+  mutable DirectedPose last_from_, last_to_;
 };
 
 }  // namespace dbd

@@ -6,11 +6,6 @@ namespace dbd {
 
 namespace ob = ompl::base;
 
-Pose2 ToPose(const ob::State* state) {
-  const auto* se2 = state->as<ob::SE2StateSpace::StateType>();
-  return {se2->getX(), se2->getY(), se2->getYaw()};
-}
-
 void SetPose(const Pose2& pose, ob::State* state) {
   auto* se2 = state->as<ob::SE2StateSpace::StateType>();
   const double yaw = WrapAngle(pose.heading);

@@ -9,7 +9,10 @@ namespace dbd {
 
 // Poses as states of OMPL's SE(2) and of the spaces derived from it.
 
-Pose2 ToPose(const ompl::base::State* state);
+inline Pose2 ToPose(const ompl::base::State* state) {
+  const auto* se2 = state->as<ompl::base::SE2StateSpace::StateType>();
+  return {se2->getX(), se2->getY(), se2->getYaw()};
+}
 
 /// A heading due west becomes -pi: OMPL's interval is [-pi, pi), and a start or goal outside of it
 /// is never used.

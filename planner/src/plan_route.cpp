@@ -20,6 +20,7 @@
 #include "plan_budget.h"
 #include "speed_limits.h"
 #include "stage_clock.h"
+#include "work_arena.h"
 
 namespace dbd {
 namespace {
@@ -204,8 +205,10 @@ Plan PlanRoute(std::shared_ptr<const Terrain> terrain, std::shared_ptr<const Veh
     Planning planning(*terrain, *vehicle, request, options, progress, deadline.token());
     StageClock clock(plan);
     LayerCache own(0);
-    const auto layer =
-        (layers ? *layers : own).Get(terrain, vehicle, options.max_speed, deadline.token());
+    std::shared_ptr<const TrafficabilityLayer> layer;
+    WorkArena(options.threads).Execute([&] {
+      layer = (layers ? *layers : own).Get(terrain, vehicle, options.max_speed, deadline.token());
+    });
     clock.Finish("trafficability");
     planning.Run(*layer, plan, clock);
   } catch (const StopRequested&) {

@@ -16,11 +16,17 @@ double SquaredDistanceToSegment(const Eigen::Vector2d& p, const Eigen::Vector2d&
   return (a + t * along - p).squaredNorm();
 }
 
-double MeanDistance(const std::vector<Eigen::Vector2d>& from,
-                    const std::vector<Eigen::Vector2d>& to) {
+// Of the points of a polyline from another, or `bound` when it is not less. Sums only grow, so that
+// neighbours on the same side far off settle it after a few points.
+double MeanDistanceUpTo(double bound, const std::vector<Eigen::Vector2d>& from,
+                        const std::vector<Eigen::Vector2d>& to) {
+  const auto count = static_cast<double>(from.size());
   double sum = 0;
-  for (const Eigen::Vector2d& p : from) sum += DistanceToPolyline(p, to);
-  return sum / static_cast<double>(from.size());
+  for (const Eigen::Vector2d& p : from) {
+    sum += DistanceToPolyline(p, to);
+    if (sum / count >= bound) return bound;
+  }
+  return sum / count;
 }
 
 }  // namespace
@@ -38,14 +44,21 @@ std::vector<Eigen::Vector2d> Thin(const std::vector<Eigen::Vector2d>& points, do
 }
 
 double Separation(const std::vector<Eigen::Vector2d>& a, const std::vector<Eigen::Vector2d>& b) {
-  return std::max(MeanDistance(a, b), MeanDistance(b, a));
+  return SeparationUpTo(std::numeric_limits<double>::infinity(), a, b);
+}
+
+double SeparationUpTo(double bound, const std::vector<Eigen::Vector2d>& a,
+                      const std::vector<Eigen::Vector2d>& b) {
+  const double one = MeanDistanceUpTo(bound, a, b);
+  return one >= bound ? bound : std::max(one, MeanDistanceUpTo(bound, b, a));
 }
 
 std::vector<double> NearestSeparations(const std::vector<std::vector<Eigen::Vector2d>>& lines) {
   std::vector<double> nearest(lines.size(), std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      const double separation = Separation(lines[i], lines[j]);
+      const double bound = std::max(nearest[i], nearest[j]);
+      const double separation = SeparationUpTo(bound, lines[i], lines[j]);
       nearest[i] = std::min(nearest[i], separation);
       nearest[j] = std::min(nearest[j], separation);
     }

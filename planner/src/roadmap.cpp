@@ -52,6 +52,7 @@ Roadmap::Roadmap(const TrafficabilityLayer& layer, double turning_radius, const 
   SampleNodes(query, options);
   BuildEdges(options, (query.max_corner - query.min_corner).prod());
   penalties_.assign(nodes_.size(), 1.0);
+  for (const Pose2& node : nodes_) least_to_go_.push_back(LeastCostToGo(node));
 }
 
 Roadmap::~Roadmap() = default;
@@ -90,6 +91,9 @@ void Roadmap::BuildEdges(const RoadmapOptions& options, double area) {
   const double spread = std::sqrt(kNodesInDisc * area / (std::numbers::pi * count));
   const double radius = std::max(spread, kLeastReachInRadii * turning_radius_);
   places_ = std::make_unique<NeighbourGrid>(nodes_, radius);
+  // Each node is an end of some hundred curves.
+  std::vector<DirectedPose> poses;
+  for (const Pose2& node : nodes_) poses.emplace_back(node);
   tbb::parallel_for(0, count, [&](int node) {
     if (IsGoal(node)) return;
     ThrowIfStopped(stop_);
@@ -99,18 +103,19 @@ void Roadmap::BuildEdges(const RoadmapOptions& options, double area) {
       std::sort(nearby.begin(), nearby.end());
       nearby.erase(std::unique(nearby.begin(), nearby.end()), nearby.end());
     }
-    edges_[node] = EdgesFrom(node, nearby, options, radius);
+    edges_[node] = EdgesFrom(node, nearby, poses, options, radius);
   });
 }
 
 std::vector<Roadmap::Edge> Roadmap::EdgesFrom(int node, const std::vector<int>& nearby,
+                                              const std::vector<DirectedPose>& poses,
                                               const RoadmapOptions& options, double radius) const {
   struct Option {
     double length;
     int to;
     DubinsCurve curve;
   };
-  const Pose2& from = nodes_[node];
+  const DirectedPose& from = poses[node];
   const double longest_end_curve = 2.0 * radius;
   std::vector<Option> choices;
   std::vector<Edge> edges;
@@ -120,7 +125,7 @@ std::vector<Roadmap::Edge> Roadmap::EdgesFrom(int node, const std::vector<int>& 
   };
   for (const int to : nearby) {
     if (to == node || IsStart(to)) continue;
-    const DubinsCurve curve = ShortestDubinsCurve(from, nodes_[to], turning_radius_);
+    const DubinsCurve curve = ShortestDubinsCurve(from, poses[to], turning_radius_);
     const double length = curve.length();
     const double straight = (nodes_[to].position() - from.position()).norm();
     if (IsGoal(to)) {
@@ -141,10 +146,10 @@ std::vector<Roadmap::Edge> Roadmap::EdgesFrom(int node, const std::vector<int>& 
   return edges;
 }
 
-double Roadmap::CostToGo(int node) const {
+double Roadmap::LeastCostToGo(const Pose2& node) const {
   double nearest = kInfinity;
   for (int goal = starts_; goal < starts_ + goals_; ++goal) {
-    nearest = std::min(nearest, (nodes_[goal].position() - nodes_[node].position()).norm());
+    nearest = std::min(nearest, (nodes_[goal].position() - node.position()).norm());
   }
   return nearest * layer_->min_seconds_per_metre();
 }
@@ -163,7 +168,7 @@ std::vector<Pose2> Roadmap::FindRoute() const {
   std::vector<char> closed(nodes_.size(), 0);
   for (int start = 0; start < starts_; ++start) {
     cost[start] = 0;
-    open.push({CostToGo(start), start});
+    open.push({least_to_go_[start], start});
   }
   while (!open.empty()) {
     ThrowIfStopped(stop_);
@@ -182,7 +187,7 @@ std::vector<Pose2> Roadmap::FindRoute() const {
       if (reached >= cost[edge.to]) continue;
       cost[edge.to] = reached;
       parent[edge.to] = node;
-      open.push({reached + CostToGo(edge.to), edge.to});
+      open.push({reached + least_to_go_[edge.to], edge.to});
     }
   }
   return {};

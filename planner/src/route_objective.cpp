@@ -51,8 +51,7 @@ std::pair<double, bool> RouteMotionValidator::ValidShare(const ob::State* from,
   const DubinsSampler sampler(ToPose(from), space_.Curve(from, to));
   const int steps = std::max(1, static_cast<int>(std::ceil(sampler.length() / kPoseStep)));
   for (int i = 1; i <= steps; ++i) {
-    const Pose2 pose = sampler.At(sampler.length() * i / steps);
-    if (!layer_.Evaluate(pose.x, pose.y, pose.heading).go()) {
+    if (!layer_.Evaluate(sampler.At(sampler.length() * i / steps)).go()) {
       return {static_cast<double>(i - 1) / steps, false};
     }
   }

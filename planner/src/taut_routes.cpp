@@ -48,7 +48,8 @@ std::vector<RouteDraft> TautRoutes(const TrafficabilityLayer& layer, double turn
     smoothing.longest = static_cast<double>(draft->poses.size()) * kPoseStep;
     RouteDraft pulled{
         "taut",
-        SmoothRoute(flat, turning_radius, draft->poses, smoothing, DeriveSeed(seed, taut.size())),
+        SmoothRoute(flat, turning_radius, draft->poses, smoothing, DeriveSeed(seed, taut.size()))
+            .poses,
         0,
         {}};
     pulled.cost = PosesCost(layer, pulled.poses);

@@ -1,12 +1,14 @@
 #include <dbd/planner/trafficability.h>
 
 #include <dbd/core/error.h>
+#include <dbd/core/internal/huge_pages.h>
 #include <dbd/core/mobility.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "row_loop.h"
 #include "trafficability_grid.h"
 
 namespace dbd {
@@ -89,9 +91,11 @@ void TrafficabilityLayer::FillCells(double half_footprint, double step_limit,
   unknown = Dilate(unknown, columns_, rows_, k + 1, stop);
   // A crest of height c needs residuals whose squares add up to at least c^2 / 2.
   const double rugged = crest_limit_ / (std::sqrt(2.0) * (2 * k + 1));
-  cells_ = std::make_shared<std::vector<Cell>>(fits.size());
-  for (int row = 0; row < rows_; ++row) {
-    ThrowIfStopped(stop);
+  cells_ = std::make_shared<std::vector<Cell>>();
+  cells_->reserve(fits.size());
+  internal::AdviseHugePages(cells_->data(), fits.size() * sizeof(Cell));
+  cells_->resize(fits.size());
+  ForEachRow(0, rows_, stop, [&](int row) {
     for (int column = 0; column < columns_; ++column) {
       const std::size_t i = grid.Index(column, row);
       Cell& cell = (*cells_)[i];
@@ -112,7 +116,7 @@ void TrafficabilityLayer::FillCells(double half_footprint, double step_limit,
         cell.reason = NoGoReason::kSlope;
       }
     }
-  }
+  });
 }
 
 TrafficabilityLayer::Footing TrafficabilityLayer::FootingOn(const VehicleModel& vehicle,

@@ -1,7 +1,12 @@
 #include "trafficability_grid.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
+
+#include "row_loop.h"
 
 namespace dbd {
 namespace {
@@ -30,9 +35,10 @@ void SumRow(const HeightGrid& grid, int row, int k, std::vector<RowSums>* sums) 
 // The 2 k + 1 rows of sums about a row, as a ring.
 class RowWindow {
  public:
-  RowWindow(const HeightGrid& grid, int k)
+  // Before the window about row `first`, at least k.
+  RowWindow(const HeightGrid& grid, int k, int first)
       : grid_(grid), k_(k), ring_(2 * k + 1, std::vector<RowSums>(grid.columns)) {
-    for (int row = 0; row < 2 * k; ++row) SumRow(grid, row, k, &Row(row));
+    for (int row = first - k; row < first + k; ++row) SumRow(grid, row, k, &Row(row));
   }
 
   // Takes in the row that the window about `row` needs next.
@@ -63,6 +69,18 @@ class RowWindow {
   std::vector<std::vector<RowSums>> ring_;
 };
 
+// Gives cells nearer to the edge than k the fit of the nearest that is not.
+void CopyToBorder(const HeightGrid& grid, int k, std::vector<PlaneFit>* fits) {
+  for (int row = 0; row < grid.rows; ++row) {
+    const int near_row = std::clamp(row, k, grid.rows - 1 - k);
+    for (int column = 0; column < grid.columns; ++column) {
+      const int near_column = std::clamp(column, k, grid.columns - 1 - k);
+      if (near_row == row && near_column == column) continue;
+      (*fits)[grid.Index(column, row)] = (*fits)[grid.Index(near_column, near_row)];
+    }
+  }
+}
+
 }  // namespace
 
 HeightGrid SampleHeights(const Terrain& terrain, const Eigen::Vector2d& min_corner, int columns,
@@ -71,17 +89,17 @@ HeightGrid SampleHeights(const Terrain& terrain, const Eigen::Vector2d& min_corn
   const std::size_t cells = static_cast<std::size_t>(columns) * rows;
   grid.heights.resize(cells);
   grid.known.resize(cells);
-  std::vector<double> x(columns), y(columns), z(columns);
+  std::vector<double> x(columns);
   for (int i = 0; i < columns; ++i) x[i] = min_corner.x() + i * resolution;
-  for (int row = 0; row < rows; ++row) {
-    ThrowIfStopped(stop);
-    std::fill(y.begin(), y.end(), min_corner.y() + row * resolution);
+  ForEachRow(0, rows, stop, [&](int row) {
+    const std::vector<double> y(columns, min_corner.y() + row * resolution);
+    std::vector<double> z(columns);
     terrain.Heights(columns, x.data(), y.data(), z.data());
     for (int i = 0; i < columns; ++i) {
       grid.heights[grid.Index(i, row)] = static_cast<float>(z[i] - terrain.heights().lowest());
       grid.known[grid.Index(i, row)] = terrain.IsKnown(x[i], y[i]) ? 1 : 0;
     }
-  }
+  });
   return grid;
 }
 
@@ -90,21 +108,19 @@ std::vector<PlaneFit> FitPlanes(const HeightGrid& grid, int half_window,
   const int k = half_window;
   std::vector<PlaneFit> fits(grid.heights.size());
   if (grid.columns <= 2 * k || grid.rows <= 2 * k) return fits;
-  RowWindow window(grid, k);
-  for (int row = k; row + k < grid.rows; ++row) {
-    ThrowIfStopped(stop);
-    window.MoveTo(row);
-    for (int column = k; column + k < grid.columns; ++column) {
-      fits[grid.Index(column, row)] = window.Fit(column, row);
+  constexpr int kBand = 64;  // rows; each band sums some rows that its neighbours sum too
+  const tbb::blocked_range<int> inner(k, grid.rows - k, kBand);
+  tbb::parallel_for(inner, [&](const tbb::blocked_range<int>& band) {
+    RowWindow window(grid, k, band.begin());
+    for (int row = band.begin(); row < band.end() && !stop.stop_requested(); ++row) {
+      window.MoveTo(row);
+      for (int column = k; column + k < grid.columns; ++column) {
+        fits[grid.Index(column, row)] = window.Fit(column, row);
+      }
     }
-  }
-  for (int row = 0; row < grid.rows; ++row) {
-    for (int column = 0; column < grid.columns; ++column) {
-      const int near_column = std::clamp(column, k, grid.columns - 1 - k);
-      const int near_row = std::clamp(row, k, grid.rows - 1 - k);
-      fits[grid.Index(column, row)] = fits[grid.Index(near_column, near_row)];
-    }
-  }
+  });
+  ThrowIfStopped(stop);
+  CopyToBorder(grid, k, &fits);
   return fits;
 }
 
@@ -127,13 +143,13 @@ void MarkStepsOnLine(const float* z, std::uint8_t* marks, int count, std::size_t
 
 std::vector<std::uint8_t> FindSteps(const HeightGrid& grid, double limit) {
   std::vector<std::uint8_t> marks(grid.heights.size(), 0);
-  for (int row = 0; row < grid.rows; ++row) {
+  tbb::parallel_for(0, grid.rows, [&](int row) {
     const std::size_t start = grid.Index(0, row);
     MarkStepsOnLine(&grid.heights[start], &marks[start], grid.columns, 1, limit);
-  }
-  for (int column = 0; column < grid.columns; ++column) {
+  });
+  tbb::parallel_for(0, grid.columns, [&](int column) {
     MarkStepsOnLine(&grid.heights[column], &marks[column], grid.rows, grid.columns, limit);
-  }
+  });
   return marks;
 }
 

@@ -95,13 +95,15 @@ CellVerdict TrafficabilityLayer::EvaluateAnyHeading(double x, double y) const {
 }
 
 CellVerdict TrafficabilityLayer::Evaluate(double x, double y, double heading) const {
-  const double cos_h = std::cos(heading);
-  const double sin_h = std::sin(heading);
-  x += middle_ahead_ * cos_h;
-  y += middle_ahead_ * sin_h;
+  return Evaluate(DirectedPose({x, y, heading}));
+}
+
+CellVerdict TrafficabilityLayer::Evaluate(const DirectedPose& pose) const {
+  const double x = pose.x + middle_ahead_ * pose.cos_h;
+  const double y = pose.y + middle_ahead_ * pose.sin_h;
   const Cell* cell = CellAt(x, y);
   if (cell == nullptr) return {NoGoReason::kOutsideMap};
-  return {Judge(*cell, x, y, cos_h, sin_h)};
+  return {Judge(*cell, x, y, pose.cos_h, pose.sin_h)};
 }
 
 NoGoReason TrafficabilityLayer::Judge(const Cell& cell, double x, double y, double cos_h,
@@ -158,9 +160,13 @@ bool TrafficabilityLayer::HitsObstacle(double x, double y, double cos_h, double 
 double TrafficabilityLayer::UsedShare(const Cell& cell, double grade, double side_slope) const {
   const Footing& footing = footings_[cell.material];
   double used = std::max(std::abs(grade) / limits_.pitch, std::abs(side_slope) / limits_.roll);
-  used = std::max(used, std::hypot(grade, side_slope) / limits_.slope);
   used = std::max(used, grade / footing.net_traction_ratio);
-  return std::max(used, footing.sinkage_share);
+  used = std::max(used, footing.sinkage_share);
+  // A hypotenuse to the last bit takes long, and is mostly not what uses most.
+  const double enough = used * limits_.slope;
+  const double squared = grade * grade + side_slope * side_slope;
+  if (squared < (1 - 1e-12) * enough * enough) return used;
+  return std::max(used, std::hypot(grade, side_slope) / limits_.slope);
 }
 
 double TrafficabilityLayer::UsedBesideObstacles(double x, double y, double cos_h,
@@ -169,11 +175,20 @@ double TrafficabilityLayer::UsedBesideObstacles(double x, double y, double cos_h
   return HitsObstacle(x, y, cos_h, sin_h, room) ? kUsedWithoutElbowRoom : kUsedBesideObstacle;
 }
 
+void TrafficabilityLayer::Prefetch(const DirectedPose& pose) const {
+  const Cell* cell =
+      CellAt(pose.x + middle_ahead_ * pose.cos_h, pose.y + middle_ahead_ * pose.sin_h);
+  if (cell != nullptr) __builtin_prefetch(cell);
+}
+
 double TrafficabilityLayer::SecondsPerMetre(double x, double y, double heading) const {
-  const double cos_h = std::cos(heading);
-  const double sin_h = std::sin(heading);
-  x += middle_ahead_ * cos_h;
-  y += middle_ahead_ * sin_h;
+  return SecondsPerMetre(DirectedPose({x, y, heading}));
+}
+
+double TrafficabilityLayer::SecondsPerMetre(const DirectedPose& pose) const {
+  const double cos_h = pose.cos_h, sin_h = pose.sin_h;
+  const double x = pose.x + middle_ahead_ * cos_h;
+  const double y = pose.y + middle_ahead_ * sin_h;
   const Cell* cell = CellAt(x, y);
   if (cell == nullptr || cell->reason != NoGoReason::kNone) return kInfinity;
   if (Judge(*cell, x, y, cos_h, sin_h) != NoGoReason::kNone) return kInfinity;

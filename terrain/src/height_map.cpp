@@ -1,5 +1,6 @@
 #include <dbd/core/error.h>
 #include <dbd/core/internal/clamp_index.h>
+#include <dbd/core/internal/huge_pages.h>
 #include <dbd/terrain/height_map.h>
 
 #include <algorithm>
@@ -7,7 +8,6 @@
 #include <limits>
 
 #include "continue_heights.h"
-#include "huge_pages.h"
 
 namespace dbd {
 namespace {
@@ -113,6 +113,7 @@ bool HeightMap::IsKnown(double x, double y) const {
   const double v = (y - grid_.first_center.y()) * inverse_cell_size_.y();
   const bool inside = u >= 0 && u <= last_index_.x() && v >= 0 && v <= last_index_.y();
   if (!inside) return false;
+  if (unknown_share_ == 0) return true;
   const int column = SquareOf(u, last_index_.x());
   const int row = SquareOf(v, last_index_.y());
   return IsCellKnown(column, row) && IsCellKnown(column + 1, row) && IsCellKnown(column, row + 1) &&
@@ -206,7 +207,7 @@ void HeightMap::StoreRowPairs(const std::vector<float>& heights) {
   const auto columns = static_cast<std::size_t>(grid_.columns);
   const std::size_t pairs = columns * static_cast<std::size_t>(grid_.rows - 1);
   row_pairs_.reserve(pairs);
-  AdviseHugePages(row_pairs_.data(), pairs * sizeof(RowPair));
+  internal::AdviseHugePages(row_pairs_.data(), pairs * sizeof(RowPair));
   row_pairs_.resize(pairs);
   for (std::size_t i = 0; i < row_pairs_.size(); ++i) {
     row_pairs_[i] = {heights[i], heights[i + columns]};

@@ -1,6 +1,7 @@
 #include <dbd/planner/candidate_curve.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 #include "candidate_test_terrain.h"
@@ -35,6 +36,25 @@ TEST(CurveCost, IsLengthTimesRateOnLevelGround) {
   const double cost = CurveCost(layer, from, ShortestDubinsCurve(from, to, 5));
   EXPECT_NEAR(cost, 50 * rate, 1e-6);
   EXPECT_NEAR(PosesCost(layer, DensePoses({from, to}, 5)), cost, 1e-6);
+}
+
+TEST(CurveCost, IsTheSameUpToALimitAndNoLessBeyond) {
+  const Terrain terrain = SurfaceTerrain(101, 101, 1.0, [](double x, double y) {
+    return 0.1 * std::sin(0.3 * x) * std::cos(0.2 * y);
+  });
+  const auto vehicle = TestVehicle();
+  const TrafficabilityLayer layer(terrain, *vehicle, 8.0);
+  const Pose2 from{20, 50, 0};
+  const DubinsCurve curve = ShortestDubinsCurve(from, {60, 55, 0.5}, 5);
+  const double cost = CurveCost(layer, from, curve);
+  ASSERT_TRUE(std::isfinite(cost));
+  for (const double share : {1.0, 1.001, 2.0}) {
+    EXPECT_EQ(CurveCost(layer, from, curve, share * cost), cost);
+  }
+  for (const double share : {0.0, 0.01, 0.5, 0.999}) {
+    EXPECT_GE(CurveCost(layer, from, curve, share * cost), cost);
+  }
+  EXPECT_TRUE(std::isinf(CurveCost(layer, from, curve, 0.5 * cost)));
 }
 
 TEST(CurveCost, IsInfiniteAcrossWater) {

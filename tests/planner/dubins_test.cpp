@@ -113,6 +113,23 @@ void ExpectNoCircles(double noise) {
 TEST(Dubins, NeighboursOnOneCurveGetNoFullCircle) { ExpectNoCircles(0); }
 TEST(Dubins, NeighboursWithRoundingNoiseGetNoFullCircle) { ExpectNoCircles(1e-9); }
 
+TEST(Dubins, DirectionsAreThoseOfTheHeadings) {
+  RandomPoses poses(30);
+  for (int i = 0; i < 200; ++i) {
+    const Pose2 from = poses.Next();
+    Pose2 to = poses.Next();
+    to.reverse = i % 2 == 1;
+    const DubinsCurve curve = ShortestDubinsCurve(from, to, 5);
+    const DubinsSampler sampler(from, curve);
+    for (double s = 0; s < curve.length(); s += 0.7) {
+      const DirectedPose pose = sampler.At(s);
+      ASSERT_EQ(pose.cos_h, std::cos(pose.heading));
+      ASSERT_EQ(pose.sin_h, std::sin(pose.heading));
+    }
+    EXPECT_EQ(ShortestDubinsCurve(DirectedPose(from), DirectedPose(to), 5).lengths, curve.lengths);
+  }
+}
+
 TEST(Dubins, InReverseItIsTheCurveOfTheVehicleTurnedRound) {
   const DubinsCurve straight = ShortestDubinsCurve({0, 0, 0}, {-10, 0, 0, true}, 3);
   EXPECT_TRUE(straight.reverse);

@@ -33,6 +33,20 @@ TEST(Separation, OfParallelLinesIsTheirDistance) {
   EXPECT_DOUBLE_EQ(Separation(a, a), 0);
 }
 
+TEST(SeparationUpTo, IsTheSeparationOrTheBound) {
+  const Points a{{0, 0}, {5, 0}, {10, 0}};
+  const Points b{{0, 7}, {4, 9}, {10, 7}};
+  const double all = Separation(a, b);
+  EXPECT_EQ(SeparationUpTo(all + 1, a, b), all);
+  EXPECT_EQ(SeparationUpTo(all, a, b), all);
+  EXPECT_EQ(SeparationUpTo(3, a, b), 3);
+  // Near from one side only: the detour of the other is longer than the bound.
+  const Points straight{{0, 0}, {100, 0}}, detour{{0, 0}, {50, 60}, {100, 0}};
+  EXPECT_EQ(SeparationUpTo(15, straight, detour), 15);
+  EXPECT_EQ(SeparationUpTo(15, detour, straight), 15);
+  EXPECT_EQ(SeparationUpTo(25, straight, detour), 20);
+}
+
 TEST(NearestSeparations, AreToTheNearestOther) {
   const Points at0{{0, 0}, {10, 0}}, at3{{0, 3}, {10, 3}}, at10{{0, 10}, {10, 10}};
   EXPECT_EQ(NearestSeparations({at0, at3, at10}), (std::vector<double>{3, 3, 7}));

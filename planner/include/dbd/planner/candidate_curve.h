@@ -5,6 +5,7 @@
 #include <dbd/planner/trafficability.h>
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 namespace dbd {
@@ -21,9 +22,11 @@ inline constexpr double kReverseCost = 1.0;
 
 /// Layer cost [s] of a curve: each of its equal steps, at most `kPoseStep` long, at the rate of
 /// its end, and no faster than `kReverseSpeed` plus kReverseCost in reverse; kGearChangeCost when
-/// `from` was come to the other way. Infinite when a step ends on no-go. The pose at the start is
-/// not looked at.
-double CurveCost(const TrafficabilityLayer& layer, const Pose2& from, const DubinsCurve& curve);
+/// `from` was come to the other way. Infinite when a step ends on no-go. What costs more than
+/// `limit` may be infinite too: nothing is added up once that shows. The pose at the start is not
+/// looked at.
+double CurveCost(const TrafficabilityLayer& layer, const Pose2& from, const DubinsCurve& curve,
+                 double limit = std::numeric_limits<double>::infinity());
 
 /// Layer cost [s] of the shortest curves from `from` to the first waypoint and on to the last.
 double WaypointsCost(const TrafficabilityLayer& layer, Pose2 from,

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 
 namespace dbd {
 
@@ -14,6 +15,16 @@ struct Pose2 {
   bool reverse = false;  ///< on a route: the vehicle comes here in reverse
 
   Eigen::Vector2d position() const { return {x, y}; }
+};
+
+/// A pose with the cosine and sine of its heading, for those who need them more than once.
+struct DirectedPose : Pose2 {
+  DirectedPose() = default;
+  explicit DirectedPose(const Pose2& pose)
+      : Pose2(pose), cos_h(std::cos(pose.heading)), sin_h(std::sin(pose.heading)) {}
+
+  double cos_h = 1;
+  double sin_h = 0;
 };
 
 /// The same angle in (-pi, pi].
@@ -38,6 +49,7 @@ struct DubinsCurve {
 /// The end pose is met within 1e-7 radii. Within that tolerance a turn that rounding has made a
 /// full circle is left out, so that two poses of one curve are joined by that curve.
 DubinsCurve ShortestDubinsCurve(const Pose2& from, const Pose2& to, double radius);
+DubinsCurve ShortestDubinsCurve(const DirectedPose& from, const DirectedPose& to, double radius);
 
 /// Poses along one curve that starts at `from`.
 class DubinsSampler {
@@ -45,12 +57,12 @@ class DubinsSampler {
   DubinsSampler(const Pose2& from, const DubinsCurve& curve);
 
   /// Pose at arc length s [m]; s is held within [0, length].
-  Pose2 At(double s) const;
+  DirectedPose At(double s) const;
 
   double length() const { return length_; }
 
  private:
-  std::array<Pose2, 3> starts_;  // of the pieces
+  std::array<DirectedPose, 3> starts_;  // of the pieces
   DubinsCurve curve_;
   double length_;
 };

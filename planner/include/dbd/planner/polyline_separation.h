@@ -13,6 +13,11 @@ std::vector<Eigen::Vector2d> Thin(const std::vector<Eigen::Vector2d>& points, do
 /// symmetric. Cost is the product of the numbers of points.
 double Separation(const std::vector<Eigen::Vector2d>& a, const std::vector<Eigen::Vector2d>& b);
 
+/// The smaller of both numbers: `bound` and the separation, which is not worked out any further
+/// once it is seen to be `bound` or more.
+double SeparationUpTo(double bound, const std::vector<Eigen::Vector2d>& a,
+                      const std::vector<Eigen::Vector2d>& b);
+
 /// Of each polyline from the nearest other [m]; infinite for one that is alone.
 std::vector<double> NearestSeparations(const std::vector<std::vector<Eigen::Vector2d>>& lines);
 

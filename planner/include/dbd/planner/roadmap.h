@@ -63,11 +63,12 @@ class Roadmap {
   void SampleNodes(const RoadmapQuery& query, const RoadmapOptions& options);
   void BuildEdges(const RoadmapOptions& options, double area);
   std::vector<Edge> EdgesFrom(int node, const std::vector<int>& nearby,
-                              const RoadmapOptions& options, double radius) const;
+                              const std::vector<DirectedPose>& poses, const RoadmapOptions& options,
+                              double radius) const;
   double Weight(int from, int to) const;
   bool IsStart(int node) const { return node < starts_; }
   bool IsGoal(int node) const { return node >= starts_ && node < starts_ + goals_; }
-  double CostToGo(int node) const;
+  double LeastCostToGo(const Pose2& node) const;
 
   const TrafficabilityLayer* layer_;
   double turning_radius_;
@@ -77,8 +78,9 @@ class Roadmap {
   std::vector<Pose2> nodes_;
   std::unique_ptr<const NeighbourGrid> places_;  // of nodes_; null when there are none
   std::vector<std::vector<Edge>> edges_;
-  std::vector<double> penalties_;  // factor per node, 1 = none
-  double direct_penalty_ = 1;      // of the edges from a start straight to a goal
+  std::vector<double> least_to_go_;  // to the nearest goal [s]
+  std::vector<double> penalties_;    // factor per node, 1 = none
+  double direct_penalty_ = 1;        // of the edges from a start straight to a goal
 };
 
 }  // namespace dbd

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <dbd/core/vehicle_model.h>
+#include <dbd/planner/dubins.h>
 #include <dbd/planner/extra_cost.h>
 #include <dbd/planner/stop.h>
 #include <dbd/terrain/terrain.h>
@@ -79,6 +80,7 @@ class TrafficabilityLayer {
   /// Go or no-go with the vehicle's path point (`VehicleModel::path_point_x`) at x, y [m, W] and a
   /// heading [rad]. What is looked at is the ground under the vehicle's middle, which lies ahead.
   CellVerdict Evaluate(double x, double y, double heading) const;
+  CellVerdict Evaluate(const DirectedPose& pose) const;
 
   /// What speaks against the place whatever the heading; obstacles are not looked up.
   CellVerdict EvaluateAnyHeading(double x, double y) const;
@@ -91,6 +93,11 @@ class TrafficabilityLayer {
   /// risk_cost (u / (1.15 - u))^2, at most 100 risk_cost. Beside an obstacle u is at least 0.6, and
   /// 0.9 with less than 0.5 m of room on top of the margin.
   double SecondsPerMetre(double x, double y, double heading) const;
+  double SecondsPerMetre(const DirectedPose& pose) const;
+
+  /// Asks the processor for what the next question about this pose needs, so that it is there when
+  /// other work in between is done.
+  void Prefetch(const DirectedPose& pose) const;
 
   /// The same layer with another cost on top; it shares the cells.
   TrafficabilityLayer WithExtraCost(std::shared_ptr<const ExtraCost> extra) const;

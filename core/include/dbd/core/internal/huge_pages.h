@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-namespace dbd {
+namespace dbd::internal {
 
 /// Asks the system to back this memory, which nothing has touched yet, with large pages. Along a
 /// drive across the rows of a fine raster each row lies on a page of its own, more of them than the
@@ -10,4 +10,4 @@ namespace dbd {
 /// smaller than such a page.
 void AdviseHugePages(void* memory, std::size_t bytes);
 
-}  // namespace dbd
+}  // namespace dbd::internal

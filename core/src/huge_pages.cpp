@@ -1,4 +1,4 @@
-#include "huge_pages.h"
+#include <dbd/core/internal/huge_pages.h>
 
 #include <cstdint>
 
@@ -6,7 +6,7 @@
 #include <sys/mman.h>
 #endif
 
-namespace dbd {
+namespace dbd::internal {
 
 void AdviseHugePages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t bytes) {
 #ifdef __linux__
@@ -18,4 +18,4 @@ void AdviseHugePages([[maybe_unused]] void* memory, [[maybe_unused]] std::size_t
 #endif
 }
 
-}  // namespace dbd
+}  // namespace dbd::internal
