@@ -1,5 +1,6 @@
 #include "engine_model.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -38,10 +39,10 @@ EngineModel::EngineModel(const VehicleModel& vehicle_model)
     tires.push_back(MakeTireNumbers(wheel.tire, step));
     carrier_inertia.push_back(CarrierInertia(vehicle_model, wheel.body));
   }
-  for (std::size_t i = 0; i < vehicle->wheels.size(); ++i) {
-    const auto axle = static_cast<std::size_t>(vehicle->wheels[i].axle);
-    if (vehicle->axles[axle].driven) driven_wheels.push_back(static_cast<int>(i));
+  for (const AxleModel& axle : vehicle->axles) {
+    if (axle.driven) driven_wheels.insert(driven_wheels.end(), {axle.left, axle.right});
   }
+  std::sort(driven_wheels.begin(), driven_wheels.end());
   for (const LinkModel& link : vehicle->links) torn_force.push_back(kTornLink * link.stiffness);
   for (const AxleModel& axle : vehicle->axles) {
     axle_coupling.push_back(CouplingTorque(axle.differential));

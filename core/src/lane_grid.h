@@ -48,16 +48,9 @@ class LaneGrid {
 
   /// Those four cells.
   LanePatch<Real> Patch(const GroundGrid& grid, const Real& x, const Real& y) const {
-    const Node east = NearestNode(x_, x), north = NearestNode(y_, y);
-    const auto node = [](const Axis& axis, const Integers& whole) {
-      return PatchAxis<Real>{axis.offset, axis.per_metre,
-                             Real(__builtin_convertvector(whole, typename Real::Vector))};
-    };
-    const Real half{S(0.5)};
-    const auto at_edge = Max(Abs(east.part), Abs(north.part)) > half;
-    const Real sloped = Select(at_edge, Real(S(0)), Real(S(1)));
-    return LanePatch<Real>(node(x_, east.whole), node(y_, north.whole),
-                           ReadNodes(grid, east.whole, north.whole), base_height_, sloped);
+    const Real east = NearestNode(x_, x), north = NearestNode(y_, y);
+    return LanePatch<Real>({x_.offset, x_.per_metre, east}, {y_.offset, y_.per_metre, north},
+                           ReadNodes(grid, east, north), base_height_);
   }
 
   Real HighestNearby(const GroundGrid& grid, const Real& x, const Real& y) const {
@@ -77,16 +70,11 @@ class LaneGrid {
     Real offset{S(0)};  // from there to the origin
     Real most{S(0)};    // of the grid's far end
     Real per_metre{S(1)};
-    Real least_node{S(1)};  // first and last node that have neighbours on both sides
-    Real most_node{S(1)};
+    Real last_node{S(1)};
   };
   struct Cell {
     Integers whole;  // from `first`
     Real part;
-  };
-  struct Node {
-    Integers whole;  // from `first`; never on the edge of the grid
-    Real part;       // from the node to the place, in cells
   };
   struct ColumnsOfDoubles {
     Real south_west, north_west, south_east, north_east;
@@ -104,8 +92,7 @@ class LaneGrid {
     // Just below the last row of cells, so that whole numbers stay inside the grid.
     axis.most.v[lane] = std::nextafter(static_cast<S>(count - 1 - first), S(0));
     axis.per_metre.v[lane] = static_cast<S>(1 / cell);
-    axis.least_node.v[lane] = static_cast<S>(1 - first);
-    axis.most_node.v[lane] = static_cast<S>(count - 2 - first);
+    axis.last_node.v[lane] = static_cast<S>(count - 1 - first);
   }
 
   static Cell Locate(const Axis& axis, const Real& x) {
@@ -114,24 +101,37 @@ class LaneGrid {
     return {whole, u - Real(__builtin_convertvector(whole, typename Real::Vector))};
   }
 
-  static Node NearestNode(const Axis& axis, const Real& x) {
-    const Real u = x * axis.per_metre + axis.offset;
-    const Real inner = Min(Max(u + Real(S(0.5)), axis.least_node), axis.most_node);
-    const Integers whole = __builtin_convertvector(inner.v, Integers);
-    return {whole, u - Real(__builtin_convertvector(whole, typename Real::Vector))};
+  static Integers Whole(const Real& x) { return __builtin_convertvector(x.v, Integers); }
+
+  /// A whole number, from `first`, whose cell a vehicle does not reach unless it is the grid's own.
+  static Real NearestNode(const Axis& axis, const Real& x) {
+    const Real u = x * axis.per_metre + axis.offset + Real(S(0.5));
+    const Integers whole = Whole(Min(Max(u, Real(S(0))), axis.last_node));
+    return Real(__builtin_convertvector(whole, typename Real::Vector));
   }
 
-  PatchNodes<Real> ReadNodes(const GroundGrid& grid, const Integers& column,
-                             const Integers& row) const {
-    const auto columns = static_cast<LaneInteger<S>>(grid.columns);
-    const Integers south_west = (row - 1) * columns + (column - 1) + corner_;
-    const Corners sw = ReadCorners(grid.row_pairs, south_west);
-    const Corners se = ReadCorners(grid.row_pairs, south_west + 1);
-    const Corners nw = ReadCorners(grid.row_pairs, south_west + columns);
-    const Corners ne = ReadCorners(grid.row_pairs, south_west + columns + 1);
-    return {{{sw.south_west, sw.south_east, se.south_east},
-             {sw.north_west, sw.north_east, se.north_east},
-             {nw.north_west, nw.north_east, ne.north_east}}};
+  /// At the grid's edge the outer nodes are as high as the edge: heights go on level.
+  PatchNodes<Real> ReadNodes(const GroundGrid& grid, const Real& column, const Real& row) const {
+    const Real zero{S(0)}, one{S(1)};
+    const Integers west = Whole(Max(column - one, zero)),
+                   east = Whole(Min(column, x_.last_node - one));
+    const auto row_of = [&](const Real& r) {
+      return Whole(r) * static_cast<LaneInteger<S>>(grid.columns) + corner_;
+    };
+    const Integers south = row_of(Max(row - one, zero)),
+                   north = row_of(Min(row, y_.last_node - one));
+    const Corners sw = ReadCorners(grid.row_pairs, south + west);
+    const Corners se = ReadCorners(grid.row_pairs, south + east);
+    const Corners nw = ReadCorners(grid.row_pairs, north + west);
+    const Corners ne = ReadCorners(grid.row_pairs, north + east);
+    const auto westmost = column < one, southmost = row < one;
+    const auto middle = [&](const Real& a, const Real& b) { return Select(westmost, a, b); };
+    const Real south_z = middle(sw.south_west, sw.south_east);
+    const Real middle_z = middle(sw.north_west, sw.north_east);
+    return {{{sw.south_west, south_z, se.south_east},
+             {Select(southmost, sw.south_west, sw.north_west), Select(southmost, south_z, middle_z),
+              Select(southmost, se.south_east, se.north_east)},
+             {nw.north_west, middle(nw.north_west, nw.north_east), ne.north_east}}};
   }
 
   /// Whole tiles before the cell: a product with the reciprocal, half a cell away from the edges

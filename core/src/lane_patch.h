@@ -19,8 +19,7 @@ struct PatchAxis {
 };
 
 /// The four cells around a node of a raster, for each lane: where cells are wider than a tire, its
-/// whole print lies on them, and the nodes are read once for all its points. At the raster's edge
-/// heights continue level, as they do in the raster.
+/// whole print lies on them, and the nodes are read once for all its points.
 ///
 /// With e and n the ways from the middle node in cells, split in their positive and negative
 /// parts, the four bilinear pieces are one polynomial: no lane asks in which cell it is.
@@ -29,9 +28,8 @@ class LanePatch {
  public:
   using S = ScalarOf<Real>;
 
-  /// `sloped`: 1, or 0 in lanes whose patch is at the raster's edge.
   LanePatch(const PatchAxis<Real>& x, const PatchAxis<Real>& y, const PatchNodes<Real>& h,
-            const Real& base_height, const Real& sloped)
+            const Real& base_height)
       : x_(x),
         y_(y),
         middle_(h[1][1] + base_height),
@@ -43,7 +41,7 @@ class LanePatch {
         north_west_((h[2][1] - h[2][0]) - west_),
         south_east_(east_ - (h[0][2] - h[0][1])),
         south_west_(west_ - (h[0][1] - h[0][0])) {
-    SetPlane(h, base_height, sloped);
+    SetPlane(h, base_height);
   }
 
   void Heights(int count, const Real* x, const Real* y, Real* z) const {
@@ -51,16 +49,21 @@ class LanePatch {
   }
 
   /// A plane above the cells: their mean slope, lifted over the highest of the nodes. Ground less
-  /// plane is bilinear in every cell, so that no place between nodes is higher. Level at the
-  /// raster's edge, where the ground beyond is.
+  /// plane is bilinear in every cell, so that no place between nodes is higher. Level for a place
+  /// beyond the raster's edge, where the ground is.
   GroundPlane<Real> Plane(const Real& x, const Real& y) const {
-    const Real here = level_ + FromNode(x_, x) * rise_x_ + FromNode(y_, y) * rise_y_;
-    return {here, rise_x_ * x_.per_metre, rise_y_ * y_.per_metre};
+    const Real e = FromNode(x_, x), n = FromNode(y_, y);
+    const auto outside = Max(Abs(e), Abs(n)) > Real(S(0.501));
+    const Real zero(0);
+    const Real highest = level_ + Abs(rise_x_) + Abs(rise_y_);
+    return {Select(outside, highest, level_ + e * rise_x_ + n * rise_y_),
+            Select(outside, zero, rise_x_ * x_.per_metre),
+            Select(outside, zero, rise_y_ * y_.per_metre)};
   }
 
  private:
-  void SetPlane(const PatchNodes<Real>& h, const Real& base_height, const Real& sloped) {
-    const Real sixth = Real(S(1.0 / 6)) * sloped;
+  void SetPlane(const PatchNodes<Real>& h, const Real& base_height) {
+    const Real sixth{S(1.0 / 6)};
     rise_x_ = sixth * ((h[0][2] + h[1][2] + h[2][2]) - (h[0][0] + h[1][0] + h[2][0]));
     rise_y_ = sixth * ((h[2][0] + h[2][1] + h[2][2]) - (h[0][0] + h[0][1] + h[0][2]));
     const auto above = [](const Real& west, const Real& between, const Real& east,
@@ -77,10 +80,10 @@ class LanePatch {
   }
 
   Real Height(const Real& x, const Real& y) const {
-    const Real zero(0), one(1), minus_one(-1);
+    const Real zero(0);
     const Real e = FromNode(x_, x), n = FromNode(y_, y);
-    const Real east = Clamp(e, zero, one), west = Clamp(e, minus_one, zero);
-    const Real north = Clamp(n, zero, one), south = Clamp(n, minus_one, zero);
+    const Real east = Max(e, zero), west = Min(e, zero);
+    const Real north = Max(n, zero), south = Min(n, zero);
     return middle_ + (north * north_ + south * south_) +
            (east * (east_ + north * north_east_ + south * south_east_) +
             west * (west_ + north * north_west_ + south * south_west_));

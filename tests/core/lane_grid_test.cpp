@@ -103,7 +103,7 @@ void ExpectPatches(const GroundGrid& grid) {
     P x, y, px, py;
     for (int lane = 0; lane < kLanes; ++lane) {
       const int n = k * kLanes + lane;
-      const double u = -0.4 + 5.8 * ((n * 37) % 101) / 101, v = -0.4 + 4.8 * ((n * 53) % 97) / 97;
+      const double u = -2 + 9.0 * ((n * 37) % 101) / 101, v = -2 + 8.0 * ((n * 53) % 97) / 97;
       x.v[lane] = static_cast<S>(grid.x0 + u * grid.cell_x - 96);
       y.v[lane] = static_cast<S>(grid.y0 + v * grid.cell_y + 24);
       px.v[lane] =
