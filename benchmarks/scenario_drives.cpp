@@ -1,10 +1,14 @@
 #include "scenario_drives.h"
 
+#include <cmath>
 #include <map>
 #include <vector>
 
 namespace dbd {
 namespace {
+
+constexpr double kSettleTime = 1;           // [s], simulated like the drive
+constexpr double kDecisionInterval = 0.02;  // [s] between a driver's decisions, as in plans
 
 Terrain Rasterise(const Ground& ground, double cell) {
   HeightMap::Grid grid;
@@ -39,10 +43,10 @@ const Terrain& ScenarioTerrain(const std::string& scenario, int cell_millimetres
 double DriveAlone(const Scenario& scenario, const VehicleModel& vehicle, const Terrain& terrain,
                   const SimulationOptions& options) {
   Simulation simulation(vehicle, terrain, options);
-  simulation.Place(Eigen::Vector2d::Zero(), 0);
+  simulation.Place(Eigen::Vector2d::Zero(), 0, kSettleTime);
   ScenarioDriver driver(scenario, vehicle);
   while (simulation.time() < scenario.duration) driver.Advance(simulation);
-  return scenario.duration;
+  return kSettleTime + scenario.duration;
 }
 
 double DriveLanes(const Scenario& scenario, const VehicleModel& vehicle, const Terrain& terrain,
@@ -55,19 +59,21 @@ double DriveLanes(const Scenario& scenario, const VehicleModel& vehicle, const T
   std::vector<DriverCommand> commands(count);
   for (std::size_t i = 0; i < count; ++i) {
     const Eigen::Vector2d start(0, 0.25 * static_cast<double>(i) - 2);
-    lanes.Place(static_cast<int>(i), start, 0);
+    lanes.Place(static_cast<int>(i), start, 0, kSettleTime);
     drivers[i].SetStart(start, 0);
   }
-  while (lanes.time(0) < scenario.duration) {
-    for (std::size_t i = 0; i < count; ++i) {
+  const int decide_every = static_cast<int>(std::lround(kDecisionInterval / lanes.control_step()));
+  for (int step = 0; lanes.time(0) < scenario.duration; ++step) {
+    for (std::size_t i = 0; i < count && step % decide_every == 0; ++i) {
       const int lane = static_cast<int>(i);
       commands[i] = {.brake = 1};
       if (lanes.time(lane) < scenario.standing_time) continue;
-      commands[i] = drivers[i].Update(lanes.ViewForDriver(lane), lanes.control_step(), states[i]);
+      commands[i] = drivers[i].Update(lanes.ViewForDriver(lane),
+                                      decide_every * lanes.control_step(), states[i]);
     }
     lanes.Advance(commands);
   }
-  return scenario.duration * static_cast<double>(count);
+  return (kSettleTime + scenario.duration) * static_cast<double>(count);
 }
 
 }  // namespace dbd

@@ -31,14 +31,14 @@ TEST(MeanOfLargest, TakesTheTail) {
   EXPECT_EQ(MeanOfLargest({}, 0.1), 0);
 }
 
-// Laplace: after 16 of 16 the next succeeds with 17/18, after 0 of 16 with 1/18.
+// Jeffreys: after 16 of 16 the next succeeds with 33/34, after 0 of 16 with 1/34.
 TEST(SuccessEstimate, PromisesNothingForCertain) {
   SuccessEstimate estimate;
   EXPECT_DOUBLE_EQ(estimate.p_go(), 0.5);
   estimate.draws = 16;
-  EXPECT_DOUBLE_EQ(estimate.p_go(), 1.0 / 18);
+  EXPECT_DOUBLE_EQ(estimate.p_go(), 1.0 / 34);
   estimate.reached = 16;
-  EXPECT_DOUBLE_EQ(estimate.p_go(), 17.0 / 18);
+  EXPECT_DOUBLE_EQ(estimate.p_go(), 33.0 / 34);
   EXPECT_DOUBLE_EQ(estimate.share(), 1);
 }
 

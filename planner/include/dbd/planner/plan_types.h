@@ -189,11 +189,12 @@ struct SuccessEstimate {
   /// Of the draws: what `UncertaintyOptions::min_success` is compared with.
   double share() const { return draws > 0 ? static_cast<double>(reached) / draws : 0; }
 
-  /// P(go): the probability to reach the goal on a fresh draw. Laplace's rule of succession, the
-  /// mean of the posterior when beforehand every probability is as likely (P. S. Laplace 1814); the
-  /// share itself promises too much where few draws all succeeded. It lies between the share and
-  /// the middle of Wilson's interval, so always in the interval.
-  double p_go() const { return (reached + 1.0) / (draws + 2.0); }
+  /// P(go): the probability to reach the goal on a fresh draw: the mean of the posterior from
+  /// Jeffreys' prior (H. Jeffreys 1946), which holds probabilities near 0 and 1 for likelier than
+  /// those between, as those of routes are. The share itself promises too much where few draws all
+  /// succeeded, and a flat prior (Laplace's rule) too little. It lies between the share and the
+  /// middle of Wilson's interval, so always in the interval.
+  double p_go() const { return (reached + 0.5) / (draws + 1.0); }
 };
 
 /// What one round of sampling and driving gained.
