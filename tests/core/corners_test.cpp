@@ -91,5 +91,23 @@ TEST(Corners, TiresOfDifferentNumbersOfPointsHaveNoPlace) {
   EXPECT_FALSE(FindCorners(vehicle));
 }
 
+TEST(Corners, OneLaneHasEverythingInTheVehiclesOrder) {
+  const VehicleModel& vehicle = Tm27();
+  const Corners rows = OneLane(vehicle);
+  ASSERT_EQ(rows.bodies.size(), vehicle.bodies.size());
+  ASSERT_EQ(rows.links.size(), vehicle.links.size());
+  for (std::size_t i = 0; i < vehicle.links.size(); ++i) {
+    EXPECT_EQ(rows.links[i].elements[0], static_cast<int>(i));
+    EXPECT_EQ(rows.links[i].body_a, vehicle.links[i].body_a);
+    EXPECT_EQ(rows.links[i].body_b, vehicle.links[i].body_b);
+    EXPECT_EQ(rows.links[i].wheel, vehicle.links[i].steered_wheel);
+  }
+  ASSERT_EQ(rows.wheels.size(), vehicle.wheels.size());
+  for (std::size_t i = 0; i < vehicle.wheels.size(); ++i) {
+    EXPECT_EQ(rows.wheels[i].body_b, vehicle.wheels[i].body);
+    EXPECT_EQ(rows.wheels[i].body_a, vehicle.wheels[i].reaction_body);
+  }
+}
+
 }  // namespace
 }  // namespace dbd

@@ -70,5 +70,21 @@ TEST(MaterialMap, MayBeTheSameEverywhere) {
   EXPECT_DOUBLE_EQ(soil.cone_index, 0.4e6);
 }
 
+TEST(MaterialMap, ItsViewSaysTheSame) {
+  const MaterialMap map = MakeMap();
+  const GroundSoils view = map.View();
+  for (double x = -5; x < 12; x += 0.37) {
+    for (double y = -5; y < 9; y += 0.41) {
+      SoilSample soil;
+      map.Soils(1, &x, &y, &soil);
+      const double u = (x - view.x0) / view.cell_x, v = (y - view.y0) / view.cell_y;
+      const bool inside = u >= 0 && u < view.columns && v >= 0 && v < view.rows;
+      const int cell = inside ? static_cast<int>(v) * view.columns + static_cast<int>(u) : 0;
+      const std::uint8_t index = inside ? view.classes[cell] : view.outside;
+      ASSERT_EQ(view.soils[index].cone_index, soil.cone_index) << x << " " << y;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace dbd
