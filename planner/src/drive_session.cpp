@@ -87,13 +87,19 @@ std::optional<Verdict> DriveSession::Judge(const VehicleSnapshot& snapshot, bool
   observation.sample.target_speed = (reverse ? -1 : 1) * driver_state_.target_speed;
   observation.sample.absorbed_power = ride_.absorbed_power();
   observation.sample.vertical_acceleration = ride_.TakePeak();
+  const bool shown = RowIsDue(observation.sample) || judge_.MayFindStuck(snapshot.time);
+  if (shown) {
+    observer_.AddSinkageAndSlope(snapshot.wheels, observation.sample);
+  } else {
+    observer_.AddSinkageAndSlopeIfWorse(snapshot.wheels, observation.sample);
+  }
   last_sample_ = observation.sample;
   Record(last_sample_);
-  if (auto verdict =
-          judge_.Look(observation, driver_state_.arc_length, driver_state_.target_speed)) {
-    return verdict;
-  }
-  return LookAtEnd(snapshot);
+  auto verdict = judge_.Look(observation, driver_state_.arc_length, driver_state_.target_speed);
+  if (!verdict) verdict = LookAtEnd(snapshot);
+  if (verdict && !shown)
+    observer_.AddSinkageAndSlope(snapshot.wheels, last_sample_);  // the last row
+  return verdict;
 }
 
 std::optional<Verdict> DriveSession::LookAtEnd(const VehicleSnapshot& snapshot) const {
@@ -106,11 +112,14 @@ std::optional<Verdict> DriveSession::LookAtEnd(const VehicleSnapshot& snapshot) 
   return Verdict{Outcome::kTimedOut, "not there within the longest time"};
 }
 
+bool DriveSession::RowIsDue(const TraceSample& sample) const {
+  return (options_.trace_interval > 0 ? sample.t : sample.s) >= next_row_;
+}
+
 /// Keeps the rows that the trace asks for.
 void DriveSession::Record(const TraceSample& sample) {
-  const bool by_time = options_.trace_interval > 0;
-  if ((by_time ? sample.t : sample.s) < next_row_) return;
-  next_row_ += by_time ? options_.trace_interval : options_.trace_distance;
+  if (!RowIsDue(sample)) return;
+  next_row_ += options_.trace_interval > 0 ? options_.trace_interval : options_.trace_distance;
   rollout_.trace.push_back(sample);
 }
 

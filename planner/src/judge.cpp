@@ -92,13 +92,15 @@ std::optional<Verdict> Judge::LookAtLimits(const TraceSample& sample) {
   return verdict;
 }
 
+bool Judge::MayFindStuck(double time) const { return time - progress_time_ >= kStuckTime; }
+
 std::optional<Verdict> Judge::LookForProgress(const TraceSample& sample, double progress,
                                               double wanted_speed) {
   if (progress > progress_mark_ + kStuckDistance || wanted_speed <= 0) {
     progress_mark_ = progress;
     progress_time_ = sample.t;
   }
-  if (sample.t - progress_time_ < kStuckTime) return std::nullopt;
+  if (!MayFindStuck(sample.t)) return std::nullopt;
   char text[160];
   std::snprintf(
       text, sizeof(text),
