@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "speed_limits.h"
 
@@ -44,10 +45,7 @@ void DriveSession::Feel(double vertical_acceleration) {
 
 /// The ride meter's filters are wanted at the looks only.
 void DriveSession::ReadFelt() {
-  for (std::size_t i = 0; i < unread_; ++i) {
-    const double smooth = ride_.Update(unread_accelerations_[i]);
-    felt_squares_ += smooth * smooth;
-  }
+  felt_squares_ += ride_.Update(std::span(unread_accelerations_).first(unread_));
   felt_ += static_cast<int>(unread_);
   unread_ = 0;
 }

@@ -32,6 +32,10 @@ struct LimitValue {
   double full = 0;        // for least limits: the value that counts as full margin
 };
 
+bool IsWorse(const LimitValue& v, double worst) {
+  return v.is_least ? v.value < worst : v.value > worst;
+}
+
 double MarginOf(const LimitValue& v) {
   if (v.is_least) return (v.value - v.limit) / (v.full - v.limit);
   return (v.limit - v.value) / v.limit;
@@ -78,6 +82,7 @@ std::optional<Verdict> Judge::LookAtLimits(const TraceSample& sample) {
   std::optional<Verdict> verdict;
   const auto values = LimitValues(vehicle_, sample, steady_load_transfer_);
   for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!IsWorse(values[i], margins_[i].worst)) continue;
     const double margin = MarginOf(values[i]);
     if (margin < margins_[i].margin) {
       margins_[i].margin = margin;
