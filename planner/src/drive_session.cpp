@@ -95,8 +95,8 @@ std::optional<Verdict> DriveSession::Judge(const VehicleSnapshot& snapshot, bool
   Record(last_sample_);
   auto verdict = judge_.Look(observation, driver_state_.arc_length, driver_state_.target_speed);
   if (!verdict) verdict = LookAtEnd(snapshot);
-  if (verdict && !shown)
-    observer_.AddSinkageAndSlope(snapshot.wheels, last_sample_);  // the last row
+  const bool last_row = verdict && !shown;
+  if (last_row) observer_.AddSinkageAndSlope(snapshot.wheels, last_sample_);
   return verdict;
 }
 
