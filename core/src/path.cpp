@@ -48,11 +48,22 @@ double Path::reverse_length() const {
   return length;
 }
 
+/// Points are mostly about evenly spaced: looks first where s would be if they were.
 std::size_t Path::SegmentAt(double s) const {
+  constexpr std::size_t kNear = 4;
+  const std::size_t last = points_.size() - 2;
+  const double share = s > 0 ? std::min(s / length(), 1.0) : 0;  // 0 for what is no number
+  const auto guess = static_cast<std::size_t>(share * static_cast<double>(last));
+  const std::size_t low = guess - std::min(guess, kNear), high = std::min(last, guess + kNear);
+  if (arc_lengths_[low] <= s && s < arc_lengths_[high]) {
+    std::size_t i = low;
+    while (arc_lengths_[i + 1] <= s) ++i;
+    return i;
+  }
   const auto next = std::upper_bound(arc_lengths_.begin(), arc_lengths_.end(), s);
   const auto index = std::distance(arc_lengths_.begin(), next) - 1;
   return static_cast<std::size_t>(
-      std::clamp<std::ptrdiff_t>(index, 0, static_cast<std::ptrdiff_t>(points_.size()) - 2));
+      std::clamp<std::ptrdiff_t>(index, 0, static_cast<std::ptrdiff_t>(last)));
 }
 
 Eigen::Vector2d Path::Position(double s) const {
@@ -93,15 +104,20 @@ double Path::Curvature(double s, double half_window) const {
 double Path::NearestArcLength(const Eigen::Vector2d& p, double s_from, double s_to) const {
   double best_s = s_from;
   double best_distance = std::numeric_limits<double>::infinity();
+  double within = best_distance;  // as a length, and a little more against round-off
   for (std::size_t i = SegmentAt(s_from); i + 1 < points_.size(); ++i) {
     if (arc_lengths_[i] > s_to) break;
-    const Eigen::Vector2d d = points_[i + 1] - points_[i];
     const double segment = arc_lengths_[i + 1] - arc_lengths_[i];
+    const double reach = within + segment;
+    if ((p - points_[i]).squaredNorm() > reach * reach) continue;  // all of it is farther
+    const Eigen::Vector2d d = points_[i + 1] - points_[i];
     const double along = (p - points_[i]).dot(d) / segment;
     const double s = std::clamp(arc_lengths_[i] + std::clamp(along, 0.0, segment), s_from, s_to);
     const Eigen::Vector2d q = points_[i] + (s - arc_lengths_[i]) / segment * d;
     const double distance = (q - p).squaredNorm();
-    if (distance < best_distance) best_distance = distance, best_s = s;
+    if (distance >= best_distance) continue;
+    best_distance = distance, best_s = s;
+    within = (1 + 1e-9) * std::sqrt(distance);
   }
   return best_s;
 }

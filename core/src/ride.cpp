@@ -74,17 +74,30 @@ AbsorbedPower::AbsorbedPower(double step)
     : filter_(AbsorbedPowerFilter(step)),
       samples_per_bin_(std::max(1, static_cast<int>(std::lround(kWindow / kBins / step)))) {}
 
-void AbsorbedPower::Update(double acceleration) {
-  if (samples_ == samples_per_bin_) {
-    newest_ = (newest_ + 1) % (kBins + 1);
-    sums_[static_cast<std::size_t>(newest_)] = 0;
-    samples_ = 0;
-    complete_ = 0;  // summed anew, so that round-off does not gather
-    for (const double bin : sums_) complete_ += bin;
+void AbsorbedPower::BeginBin() {
+  newest_ = (newest_ + 1) % (kBins + 1);
+  sums_[static_cast<std::size_t>(newest_)] = 0;
+  samples_ = 0;
+  complete_ = 0;  // summed anew, so that round-off does not gather
+  for (const double bin : sums_) complete_ += bin;
+}
+
+void AbsorbedPower::Update(std::span<const double> accelerations) {
+  LinearFilter<3> filter = filter_;
+  while (!accelerations.empty()) {
+    if (samples_ == samples_per_bin_) BeginBin();
+    const auto room = static_cast<std::size_t>(samples_per_bin_ - samples_);
+    const std::size_t count = std::min(room, accelerations.size());
+    double sum = sums_[static_cast<std::size_t>(newest_)];
+    for (const double acceleration : accelerations.first(count)) {
+      const double root = filter.Update(acceleration * kFeet);
+      sum += root * root;
+    }
+    sums_[static_cast<std::size_t>(newest_)] = sum;
+    samples_ += static_cast<int>(count);
+    accelerations = accelerations.subspan(count);
   }
-  const double root = filter_.Update(acceleration * kFeet);
-  sums_[static_cast<std::size_t>(newest_)] += root * root;
-  ++samples_;
+  filter_ = filter;
 }
 
 double AbsorbedPower::mean() const {
@@ -98,11 +111,17 @@ ButterworthLowPass::ButterworthLowPass(double cutoff, double step)
     : first_(LowPassSection(ButterworthQuality(0), cutoff, step)),
       second_(LowPassSection(ButterworthQuality(1), cutoff, step)) {}
 
-double RideMeter::Update(double vertical_acceleration) {
-  power_.Update(vertical_acceleration);
-  const double smooth = low_pass_.Update(vertical_acceleration);
-  peak_ = std::max(peak_, std::abs(smooth));
-  return smooth;
+double RideMeter::Update(std::span<const double> vertical_accelerations) {
+  power_.Update(vertical_accelerations);
+  ButterworthLowPass low_pass = low_pass_;
+  double squares = 0;
+  for (const double acceleration : vertical_accelerations) {
+    const double smooth = low_pass.Update(acceleration);
+    peak_ = std::max(peak_, std::abs(smooth));
+    squares += smooth * smooth;
+  }
+  low_pass_ = low_pass;
+  return squares;
 }
 
 double RideMeter::TakePeak() {

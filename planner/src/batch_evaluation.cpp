@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/partitioner.h>
 
+#include <cmath>
 #include <mutex>
 
 #include "lane_batch.h"
@@ -25,12 +26,12 @@ DriveTask TaskOf(const Candidate& candidate, const PlanOptions& options) {
           DriveOptionsFor(candidate, options)};
 }
 
-void DriveInLanes(const Terrain& terrain, const VehicleModel& vehicle, int threads,
+void DriveInLanes(const Terrain& terrain, const VehicleModel& vehicle, int threads, bool best_first,
                   DriveQueue& queue) {
   const auto workers = static_cast<std::size_t>(threads);
   const std::size_t drives = (queue.tasks.size() + workers - 1) / workers;
   const LaneKind kind = LanesFor(drives);
-  queue.order = StartingOrder(queue.tasks, workers * LaneCount(kind));
+  queue.order = StartingOrder(queue.tasks, workers * LaneCount(kind), best_first);
   tbb::parallel_for(
       std::size_t{0}, workers, [&](std::size_t) { LaneBatch(terrain, vehicle, kind).Run(queue); },
       tbb::simple_partitioner());
@@ -75,7 +76,7 @@ std::vector<Rollout> EvaluateRollouts(const Terrain& terrain, const VehicleModel
   WorkArena arena(options.threads);
   arena.Execute([&] {
     if (options.engine == RolloutEngine::kLanes) {
-      DriveInLanes(terrain, vehicle, arena.threads(), queue);
+      DriveInLanes(terrain, vehicle, arena.threads(), std::isfinite(options.deadline), queue);
     } else {
       DriveOneByOne(terrain, vehicle, queue);
     }

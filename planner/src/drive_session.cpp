@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "speed_limits.h"
 
@@ -44,10 +45,7 @@ void DriveSession::Feel(double vertical_acceleration) {
 
 /// The ride meter's filters are wanted at the looks only.
 void DriveSession::ReadFelt() {
-  for (std::size_t i = 0; i < unread_; ++i) {
-    const double smooth = ride_.Update(unread_accelerations_[i]);
-    felt_squares_ += smooth * smooth;
-  }
+  felt_squares_ += ride_.Update(std::span(unread_accelerations_).first(unread_));
   felt_ += static_cast<int>(unread_);
   unread_ = 0;
 }
@@ -87,13 +85,19 @@ std::optional<Verdict> DriveSession::Judge(const VehicleSnapshot& snapshot, bool
   observation.sample.target_speed = (reverse ? -1 : 1) * driver_state_.target_speed;
   observation.sample.absorbed_power = ride_.absorbed_power();
   observation.sample.vertical_acceleration = ride_.TakePeak();
+  const bool shown = RowIsDue(observation.sample) || judge_.MayFindStuck(snapshot.time);
+  if (shown) {
+    observer_.AddSinkageAndSlope(snapshot.wheels, observation.sample);
+  } else {
+    observer_.AddSinkageAndSlopeIfWorse(snapshot.wheels, observation.sample);
+  }
   last_sample_ = observation.sample;
   Record(last_sample_);
-  if (auto verdict =
-          judge_.Look(observation, driver_state_.arc_length, driver_state_.target_speed)) {
-    return verdict;
-  }
-  return LookAtEnd(snapshot);
+  auto verdict = judge_.Look(observation, driver_state_.arc_length, driver_state_.target_speed);
+  if (!verdict) verdict = LookAtEnd(snapshot);
+  const bool last_row = verdict && !shown;
+  if (last_row) observer_.AddSinkageAndSlope(snapshot.wheels, last_sample_);
+  return verdict;
 }
 
 std::optional<Verdict> DriveSession::LookAtEnd(const VehicleSnapshot& snapshot) const {
@@ -106,11 +110,14 @@ std::optional<Verdict> DriveSession::LookAtEnd(const VehicleSnapshot& snapshot) 
   return Verdict{Outcome::kTimedOut, "not there within the longest time"};
 }
 
+bool DriveSession::RowIsDue(const TraceSample& sample) const {
+  return (options_.trace_interval > 0 ? sample.t : sample.s) >= next_row_;
+}
+
 /// Keeps the rows that the trace asks for.
 void DriveSession::Record(const TraceSample& sample) {
-  const bool by_time = options_.trace_interval > 0;
-  if ((by_time ? sample.t : sample.s) < next_row_) return;
-  next_row_ += by_time ? options_.trace_interval : options_.trace_distance;
+  if (!RowIsDue(sample)) return;
+  next_row_ += options_.trace_interval > 0 ? options_.trace_interval : options_.trace_distance;
   rollout_.trace.push_back(sample);
 }
 

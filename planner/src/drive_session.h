@@ -45,6 +45,7 @@ class DriveSession {
   std::optional<Verdict> Judge(const VehicleSnapshot& snapshot, bool sane);
   std::optional<Verdict> LookAtEnd(const VehicleSnapshot& snapshot) const;
   void ReadFelt();
+  bool RowIsDue(const TraceSample& sample) const;
   void Record(const TraceSample& sample);
   void Finish(const Verdict& verdict, double time, double energy);
 

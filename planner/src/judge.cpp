@@ -32,6 +32,10 @@ struct LimitValue {
   double full = 0;        // for least limits: the value that counts as full margin
 };
 
+bool IsWorse(const LimitValue& v, double worst) {
+  return v.is_least ? v.value < worst : v.value > worst;
+}
+
 double MarginOf(const LimitValue& v) {
   if (v.is_least) return (v.value - v.limit) / (v.full - v.limit);
   return (v.limit - v.value) / v.limit;
@@ -78,6 +82,7 @@ std::optional<Verdict> Judge::LookAtLimits(const TraceSample& sample) {
   std::optional<Verdict> verdict;
   const auto values = LimitValues(vehicle_, sample, steady_load_transfer_);
   for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!IsWorse(values[i], margins_[i].worst)) continue;
     const double margin = MarginOf(values[i]);
     if (margin < margins_[i].margin) {
       margins_[i].margin = margin;
@@ -92,13 +97,15 @@ std::optional<Verdict> Judge::LookAtLimits(const TraceSample& sample) {
   return verdict;
 }
 
+bool Judge::MayFindStuck(double time) const { return time - progress_time_ >= kStuckTime; }
+
 std::optional<Verdict> Judge::LookForProgress(const TraceSample& sample, double progress,
                                               double wanted_speed) {
   if (progress > progress_mark_ + kStuckDistance || wanted_speed <= 0) {
     progress_mark_ = progress;
     progress_time_ = sample.t;
   }
-  if (sample.t - progress_time_ < kStuckTime) return std::nullopt;
+  if (!MayFindStuck(sample.t)) return std::nullopt;
   char text[160];
   std::snprintf(
       text, sizeof(text),

@@ -22,6 +22,9 @@ class Judge {
   /// `progress`: arc length reached on the path [m]; `wanted_speed`: what the driver aims for.
   std::optional<Verdict> Look(const Observation& observation, double progress, double wanted_speed);
 
+  /// Whether a look at this time may find that there has been no progress for too long.
+  bool MayFindStuck(double time) const;
+
   std::vector<LimitMargin> Margins() const { return margins_; }
 
  private:

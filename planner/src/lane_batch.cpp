@@ -12,11 +12,13 @@ std::optional<std::size_t> DriveQueue::TakeNext() {
   return taken < order.size() ? std::optional(order[taken]) : std::nullopt;
 }
 
-std::vector<std::size_t> StartingOrder(const std::vector<DriveTask>& tasks, std::size_t lanes) {
+std::vector<std::size_t> StartingOrder(const std::vector<DriveTask>& tasks, std::size_t lanes,
+                                       bool best_first) {
   std::vector<std::size_t> order(tasks.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  const std::size_t last = std::min(lanes, tasks.size() - std::min(lanes, tasks.size()));
-  std::stable_sort(order.end() - static_cast<std::ptrdiff_t>(last), order.end(),
+  const std::size_t waiting = tasks.size() - std::min(lanes, tasks.size());
+  const std::size_t sorted = best_first ? std::min(lanes, waiting) : tasks.size();
+  std::stable_sort(order.end() - static_cast<std::ptrdiff_t>(sorted), order.end(),
                    [&](std::size_t a, std::size_t b) {
                      return tasks[a].path->length() > tasks[b].path->length();
                    });

@@ -35,10 +35,12 @@ struct DriveQueue {
   std::optional<std::size_t> TakeNext();
 };
 
-/// In which order tasks begin on so many lanes, in all threads together: as they come, but for the
-/// last on each lane. Those begin with the longest, so that short ones are left when lanes run out
-/// of work: a pack takes its time for one vehicle as for all.
-std::vector<std::size_t> StartingOrder(const std::vector<DriveTask>& tasks, std::size_t lanes);
+/// In which order tasks begin on so many lanes, in all threads together: the longest first, so that
+/// short ones are left when lanes run out of work: a pack takes its time for one vehicle as for
+/// all. `best_first`: as they come, for who may have to stop early; only the last on each lane,
+/// which would end the latest, begin with the longest.
+std::vector<std::size_t> StartingOrder(const std::vector<DriveTask>& tasks, std::size_t lanes,
+                                       bool best_first);
 
 /// A pack of vehicles and what drives and judges each of them. Which lane takes which drive, and
 /// beside which neighbours, changes no bit of the drive.

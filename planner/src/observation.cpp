@@ -52,10 +52,12 @@ Observer::Observer(const Terrain& terrain, const VehicleModel& vehicle,
                    const SinkageOptions& sinkage)
     : terrain_(terrain),
       vehicle_(vehicle),
-      sinkage_(terrain, vehicle, sinkage),
+      negligible_sinkage_(CareOptions().sinkage.begin * vehicle.limits.max_sinkage),
+      sinkage_(terrain, vehicle, sinkage, negligible_sinkage_),
       belly_B_(BellyPoints<kBellyPoints>(vehicle)),
       weight_(vehicle.total_mass() * kGravity),
-      print_reach_(0) {
+      print_reach_(0),
+      negligible_slope_(CareOptions().slope.begin * vehicle.limits.max_slope) {
   const auto [rear, front] =
       std::minmax_element(vehicle.axles.begin(), vehicle.axles.end(),
                           [](const auto& a, const auto& b) { return a.x < b.x; });
@@ -66,34 +68,35 @@ Observer::Observer(const Terrain& terrain, const VehicleModel& vehicle,
   }
 }
 
-/// Inclination of the plane through the ground under the outermost wheels, steepest direction.
-double Observer::GroundSlope(const Wheels& wheels) const {
+/// All heights of a look at once: below the centre of mass, under the outermost wheels for the
+/// plane through the ground there, and under the belly for the least distance from it.
+void Observer::LookAtHeights(const VehicleSnapshot& snapshot, TraceSample& sample) {
+  constexpr std::size_t kBelly = 1 + kCorners, kCount = kBelly + kBellyPoints;
+  const ChassisView& chassis = snapshot.chassis;
   const std::array corners = {foremost_->left, rear_->right, foremost_->right, rear_->left};
-  std::array<double, 4> x, y, z;
-  for (std::size_t i = 0; i < 4; ++i) {
-    const Eigen::Vector3d& hub = wheels[static_cast<std::size_t>(corners[i])].p_WH;
-    x[i] = hub.x(), y[i] = hub.y();
+  const Eigen::Matrix3d R_WB = chassis.q_WB.toRotationMatrix();
+  std::array<double, kCount> x, y, z;
+  std::array<double, kBellyPoints> belly;
+  x[0] = chassis.p_WB.x(), y[0] = chassis.p_WB.y();
+  for (std::size_t i = 0; i < kCorners; ++i) {
+    const Eigen::Vector3d& hub = snapshot.wheels[static_cast<std::size_t>(corners[i])].p_WH;
+    x[1 + i] = hub.x(), y[1 + i] = hub.y();
   }
-  terrain_.Heights(4, x.data(), y.data(), z.data());
+  for (std::size_t i = 0; i < kBellyPoints; ++i) {
+    const Eigen::Vector3d p = chassis.p_WB + R_WB * belly_B_[i];
+    x[kBelly + i] = p.x(), y[kBelly + i] = p.y(), belly[i] = p.z();
+  }
+  terrain_.Heights(static_cast<int>(kCount), x.data(), y.data(), z.data());
+  sample.ground_z = z[0];
   const auto between = [&](std::size_t a, std::size_t b) {
     return Eigen::Vector3d(x[a] - x[b], y[a] - y[b], z[a] - z[b]);
   };
-  const Eigen::Vector3d normal = between(2, 3).cross(between(0, 1));
-  return std::atan2(normal.head<2>().norm(), std::abs(normal.z()));
-}
-
-/// Least distance between the belly and the ground.
-double Observer::BellyClearance(const ChassisView& chassis) const {
-  const Eigen::Matrix3d R_WB = chassis.q_WB.toRotationMatrix();
-  std::array<double, kBellyPoints> xs, ys, zs, ground;
-  for (std::size_t i = 0; i < xs.size(); ++i) {
-    const Eigen::Vector3d p = chassis.p_WB + R_WB * belly_B_[i];
-    xs[i] = p.x(), ys[i] = p.y(), zs[i] = p.z();
+  const Eigen::Vector3d normal = between(3, 4).cross(between(1, 2));
+  grade_ = {normal.head<2>().squaredNorm(), normal.z() * normal.z()};
+  sample.clearance = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < kBellyPoints; ++i) {
+    sample.clearance = std::min(sample.clearance, belly[i] - z[kBelly + i]);
   }
-  terrain_.Heights(static_cast<int>(xs.size()), xs.data(), ys.data(), ground.data());
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < xs.size(); ++i) least = std::min(least, zs[i] - ground[i]);
-  return least;
 }
 
 /// |left load - right load| / all: 0 even, 1 a side lifts.
@@ -154,7 +157,7 @@ bool Observer::HitsObstacle(const ChassisView& chassis) const {
                                         std::max(box.height, kLeastObstacleHeight));
 }
 
-Observation Observer::Observe(const VehicleSnapshot& snapshot) const {
+Observation Observer::Observe(const VehicleSnapshot& snapshot) {
   const ChassisView& chassis = snapshot.chassis;
   const Wheels& wheels = snapshot.wheels;
   Observation observation;
@@ -163,20 +166,41 @@ Observation Observer::Observe(const VehicleSnapshot& snapshot) const {
   sample.x = chassis.p_WB.x();
   sample.y = chassis.p_WB.y();
   sample.z = chassis.p_WB.z();
-  sample.ground_z = terrain_.Height(sample.x, sample.y);
   sample.yaw = chassis.yaw;
   sample.pitch = chassis.pitch;
   sample.roll = chassis.roll;
   sample.speed = chassis.forward_speed;
-  sample.sinkage = sinkage_.Of(wheels);
-  sample.clearance = BellyClearance(chassis);
+  LookAtHeights(snapshot, sample);
   sample.load_transfer_ratio = LoadTransferRatio(wheels);
-  sample.ground_slope = GroundSlope(wheels);
   AddDrivenWheels(wheels, sample);
   LookAtGround(chassis.yaw, wheels, observation);
   observation.hits_obstacle = HitsObstacle(chassis);
   observation.up = (chassis.q_WB * Eigen::Vector3d::UnitZ()).z();
   return observation;
+}
+
+void Observer::AddSinkage(const Wheels& wheels, TraceSample& sample) {
+  sample.sinkage = sinkage_.Of(wheels);
+  if (sample.sinkage <= negligible_sinkage_) last_sinkage_ = sample.sinkage;
+}
+
+void Observer::AddSlope(TraceSample& sample) {
+  sample.ground_slope = std::atan2(std::sqrt(grade_.rise), std::sqrt(grade_.run));
+  if (sample.ground_slope > negligible_slope_) return;
+  last_slope_ = sample.ground_slope;
+  if (!grade_.IsWithin(steepest_)) steepest_ = grade_;
+}
+
+void Observer::AddSinkageAndSlope(const Wheels& wheels, TraceSample& sample) {
+  AddSinkage(wheels, sample);
+  AddSlope(sample);
+}
+
+void Observer::AddSinkageAndSlopeIfWorse(const Wheels& wheels, TraceSample& sample) {
+  sample.sinkage = last_sinkage_;
+  sample.ground_slope = last_slope_;
+  if (!sinkage_.IsNegligible(wheels)) AddSinkage(wheels, sample);
+  if (!grade_.IsWithin(steepest_)) AddSlope(sample);
 }
 
 }  // namespace dbd

@@ -13,15 +13,23 @@ constexpr double kVerticalAcceleration = 2.5;  // [m/s^2] a quarter of gravity
 constexpr double kLeastSpeed = 1.0;            // [m/s] nothing is crossed slower
 constexpr double kHalfSpan = 1.0;              // [m] over which curvature is felt
 
-std::vector<double> TrackHeights(const Terrain& terrain, const Path& path, double offset,
-                                 std::size_t count) {
-  std::vector<double> heights(count);
+/// Heights along the left and the right wheel track.
+struct TrackHeights {
+  std::vector<double> left, right;
+};
+
+TrackHeights HeightsOfTracks(const Terrain& terrain, const Path& path, double track,
+                             std::size_t count) {
+  TrackHeights heights{std::vector<double>(count), std::vector<double>(count)};
   for (std::size_t i = 0; i < count; ++i) {
     const double s = static_cast<double>(i) * kSpeedLimitSpacing;
     const double heading = path.Heading(s);
-    const Eigen::Vector2d left(-std::sin(heading), std::cos(heading));
-    const Eigen::Vector2d p = path.Position(s) + offset * left;
-    heights[i] = terrain.Height(p.x(), p.y());
+    const Eigen::Vector2d middle = path.Position(s);
+    const Eigen::Vector2d aside =
+        0.5 * track * Eigen::Vector2d(-std::sin(heading), std::cos(heading));
+    const Eigen::Vector2d left = middle + aside, right = middle - aside;
+    heights.left[i] = terrain.Height(left.x(), left.y());
+    heights.right[i] = terrain.Height(right.x(), right.y());
   }
   return heights;
 }
@@ -105,9 +113,9 @@ std::vector<double> GroundSpeedLimits(const Terrain& terrain, const VehicleModel
   if (path.empty()) return {};
   const auto count = static_cast<std::size_t>(std::ceil(path.length() / kSpeedLimitSpacing)) + 1;
   std::vector<double> limits(count, vehicle.limits.max_speed);
-  for (const double side : {0.5, -0.5}) {
-    LimitByCurvature(TrackHeights(terrain, path, side * vehicle.mean_track(), count), limits);
-  }
+  const TrackHeights heights = HeightsOfTracks(terrain, path, vehicle.mean_track(), count);
+  LimitByCurvature(heights.left, limits);
+  LimitByCurvature(heights.right, limits);
   return SpreadOverVehicle(limits, vehicle.wheelbase());
 }
 

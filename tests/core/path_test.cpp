@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -37,6 +38,17 @@ TEST(Path, PositionAndHeadingFollowTheSegments) {
   EXPECT_NEAR((path.Position(5) - Eigen::Vector2d(3, 2)).norm(), 0, 1e-15);
   EXPECT_DOUBLE_EQ(path.Heading(1), 0);
   EXPECT_DOUBLE_EQ(path.Heading(6), std::numbers::pi / 2);
+}
+
+TEST(Path, UnevenSegmentsAreFoundFromBothEnds) {
+  std::vector<Eigen::Vector2d> points;
+  for (int i = 0; i < 40; ++i)
+    points.push_back({i < 20 ? 0.1 * i : 0.1 * i + (i - 19) * (i - 19), 0});
+  const Path path(points);
+  for (double s = -1; s < path.length() + 1; s += 0.05) {
+    EXPECT_NEAR(path.Position(s).x(), s, 1e-9);
+  }
+  EXPECT_TRUE(std::isnan(path.Position(std::nan("")).x()));
 }
 
 TEST(Path, EndSegmentsGoOnStraight) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <vector>
 
 #include "support/core_printed.h"
 
@@ -129,6 +130,22 @@ TEST(ButterworthLowPass, FourthOrderMagnitude) {
   }
   // 1/sqrt(1 + 2^8) an octave above; the bilinear transform makes it a little steeper.
   EXPECT_NEAR(LowPassGain(60.01, 1e-3), 0.0624, 0.004);
+}
+
+TEST(RideMeter, ManyAtOnceCountAsOneByOne) {
+  const double step = 4e-3;
+  RideMeter one_by_one(step), at_once(step);
+  std::vector<double> block;
+  for (int i = 0; i < 6000; ++i) {
+    const double acceleration = 3 * Sine(4, i * step) + Sine(0.7, i * step);
+    block.push_back(acceleration);
+    const double smooth = std::sqrt(one_by_one.Update(acceleration));
+    if (i % 7 != 0) continue;
+    EXPECT_GE(at_once.Update(block), smooth * smooth * (1 - 1e-12));
+    EXPECT_EQ(at_once.absorbed_power(), one_by_one.absorbed_power());
+    EXPECT_EQ(at_once.TakePeak(), one_by_one.TakePeak());
+    block.clear();
+  }
 }
 
 TEST(RideMeter, PeakIsTakenOnce) {

@@ -41,7 +41,7 @@ double DeepestByHand(const Terrain& terrain, const VehicleModel& vehicle,
 
 void ExpectTheSameBits(const Terrain& terrain, const VehicleModel& vehicle,
                        const SinkageOptions& options) {
-  const DeepestSinkage sinkage(terrain, vehicle, options);
+  DeepestSinkage sinkage(terrain, vehicle, options);
   std::mt19937 random(7);
   for (int i = 0; i < 2000; ++i) {
     const std::vector<WheelView> wheels = RandomWheels(random);
@@ -58,6 +58,30 @@ TEST(DeepestSinkage, IsThatOfEveryWheelAskedAlone) {
   ExpectTheSameBits(terrain, vehicle, {.multipass_exponent = 3});
   vehicle.wheels[1].tire.width *= 2;
   ExpectTheSameBits(terrain, vehicle, {});
+}
+
+TEST(DeepestSinkage, KnowsWhatIsNegligible) {
+  const Terrain terrain = SurfaceTerrain(20, 20, 1, [](double, double) { return 0.0; });
+  const auto vehicle = LoadVehicle("tomcar-tm27");
+  constexpr double kNegligible = 0.1;
+  DeepestSinkage sinkage(terrain, *vehicle, {}, kNegligible), exact(terrain, *vehicle, {});
+  std::mt19937 random(8);
+  double most = 0;
+  int known = 0, deep = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const std::vector<WheelView> wheels = RandomWheels(random);
+    const double depth = exact.Of(wheels);
+    if (sinkage.IsNegligible(wheels)) {
+      EXPECT_LE(depth, most);
+      ++known;
+    } else {
+      EXPECT_EQ(sinkage.Of(wheels), depth);
+      if (depth <= kNegligible) most = std::max(most, depth);
+      deep += depth > kNegligible;
+    }
+  }
+  EXPECT_GT(known, 100);
+  EXPECT_GT(deep, 100);
 }
 
 TEST(DeepestSinkage, NothingTouchesTheGround) {

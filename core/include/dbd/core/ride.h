@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 
 namespace dbd {
 
@@ -39,14 +40,17 @@ class AbsorbedPower {
   static constexpr double kWindow = 10.0;  // [s]
 
   explicit AbsorbedPower(double step);
-  /// `acceleration`: vertical, without gravity [m/s^2].
-  void Update(double acceleration);
+  /// `accelerations`: vertical, without gravity [m/s^2].
+  void Update(std::span<const double> accelerations);
+  void Update(double acceleration) { Update(std::span(&acceleration, 1)); }
   /// Over the last `kWindow`, in whole bins of samples but for the oldest, of which the share that
   /// is still inside counts; what has not been driven counts as still.
   double mean() const;
 
  private:
   static constexpr int kBins = 100;  // of the window
+
+  void BeginBin();
 
   LinearFilter<3> filter_;
   int samples_per_bin_;
@@ -68,15 +72,19 @@ class ButterworthLowPass {
   LinearFilter<2> second_;
 };
 
-/// Both measures of one drive, fed at every control step.
+/// Both measures of one drive, fed with every control step: some at once keep the filters in
+/// registers.
 class RideMeter {
  public:
   static constexpr double kShockCutoff = 30.0;  // [Hz]
 
   explicit RideMeter(double step) : power_(step), low_pass_(kShockCutoff, step) {}
 
-  /// Returns the acceleration behind the low-pass.
-  double Update(double vertical_acceleration);
+  /// Returns the sum of squares of the accelerations behind the low-pass.
+  double Update(std::span<const double> vertical_accelerations);
+  double Update(double vertical_acceleration) {
+    return Update(std::span(&vertical_acceleration, 1));
+  }
   double absorbed_power() const { return power_.mean(); }
 
   /// Largest magnitude behind the low-pass since the last call [m/s^2].
