@@ -101,25 +101,24 @@ class LaneGrid {
     return {whole, u - Real(__builtin_convertvector(whole, typename Real::Vector))};
   }
 
-  static Integers Whole(const Real& x) { return __builtin_convertvector(x.v, Integers); }
-
   /// A whole number, from `first`, whose cell a vehicle does not reach unless it is the grid's own.
   static Real NearestNode(const Axis& axis, const Real& x) {
     const Real u = x * axis.per_metre + axis.offset + Real(S(0.5));
-    const Integers whole = Whole(Min(Max(u, Real(S(0))), axis.last_node));
+    const Real inside = Min(Max(u, Real(S(0))), axis.last_node);
+    const Integers whole = __builtin_convertvector(inside.v, Integers);
     return Real(__builtin_convertvector(whole, typename Real::Vector));
   }
 
   /// At the grid's edge the outer nodes are as high as the edge: heights go on level.
   PatchNodes<Real> ReadNodes(const GroundGrid& grid, const Real& column, const Real& row) const {
     const Real zero{S(0)}, one{S(1)};
-    const Integers west = Whole(Max(column - one, zero)),
-                   east = Whole(Min(column, x_.last_node - one));
-    const auto row_of = [&](const Real& r) {
-      return Whole(r) * static_cast<LaneInteger<S>>(grid.columns) + corner_;
-    };
-    const Integers south = row_of(Max(row - one, zero)),
-                   north = row_of(Min(row, y_.last_node - one));
+    const auto columns = static_cast<LaneInteger<S>>(grid.columns);
+    const Real west_column = Max(column - one, zero), east_column = Min(column, x_.last_node - one);
+    const Real south_row = Max(row - one, zero), north_row = Min(row, y_.last_node - one);
+    const Integers west = __builtin_convertvector(west_column.v, Integers);
+    const Integers east = __builtin_convertvector(east_column.v, Integers);
+    const Integers south = __builtin_convertvector(south_row.v, Integers) * columns + corner_;
+    const Integers north = __builtin_convertvector(north_row.v, Integers) * columns + corner_;
     const Corners sw = ReadCorners(grid.row_pairs, south + west);
     const Corners se = ReadCorners(grid.row_pairs, south + east);
     const Corners nw = ReadCorners(grid.row_pairs, north + west);

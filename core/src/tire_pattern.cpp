@@ -8,12 +8,8 @@ namespace dbd {
 TirePattern MakeTirePattern(const TireModel& tire) {
   TirePattern pattern;
   const double radius = tire.radius, half_span = tire.width / kTirePlanes;
-  pattern.size = {radius,
-                  half_span,
-                  2 * half_span,
-                  tire.width,
-                  tire.stiffness,
-                  0.75 / (std::numbers::sqrt2 * radius * radius)};
+  pattern.size = {radius,     half_span,      2 * half_span,
+                  tire.width, tire.stiffness, 0.75 / (std::numbers::sqrt2 * radius * radius)};
   pattern.reach = radius + half_span;
   const double step = 2 * std::numbers::pi / tire.points;
   const int half = static_cast<int>(std::floor((0.5 * std::numbers::pi - 1e-9) / step));
