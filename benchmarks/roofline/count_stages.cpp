@@ -41,7 +41,7 @@ void Register(const std::vector<T>& array) {
 }
 
 template <class Real>
-void RegisterMemory(const StageDrive<Real, EngineModel>& drive) {
+void RegisterMemory(const StageDrive<Real>& drive) {
   OperationTally::memory.clear();
   const EngineState<Real>& state = drive.state;
   Register(state.bodies), Register(state.wheels), Register(state.contacts);
@@ -54,8 +54,8 @@ void RegisterMemory(const StageDrive<Real, EngineModel>& drive) {
 
 template <int N>
 StageCounts Count(const VehicleModel& vehicle, const Ground& ground) {
-  StageDrive<Counted<N>, EngineModel> drive(
-      vehicle, InitialState<double>(vehicle, ground, Eigen::Vector2d::Zero(), 0));
+  StageDrive<Counted<N>> drive(vehicle,
+                               InitialState<double>(vehicle, ground, Eigen::Vector2d::Zero(), 0));
   const CountedSurface<N> surface(ground);
   NoMark no_mark;
   Drive(drive, surface, kSettlingSteps, no_mark);

@@ -44,7 +44,7 @@ Struct<Real> InAllLanes(const Struct<double>& values) {
 
 /// Vehicles side by side, one per lane, that drive straight ahead at about 2 m/s under their own
 /// torque, without driver and powertrain: the engine alone.
-template <class Real, class Engine>
+template <class Real, class Engine = EngineModel>
 struct StageDrive {
   StageDrive(const VehicleModel& vehicle, const EngineState<double>& start)
       : engine(vehicle), work(vehicle) {
@@ -84,7 +84,7 @@ struct StageDrive {
 };
 
 /// `steps` of it; `mark.Begin()` before each.
-template <class Real, class Engine, class Surface, class Mark>
+template <class Real, class Surface, class Engine, class Mark>
 void Drive(StageDrive<Real, Engine>& drive, const Surface& ground, std::int64_t steps, Mark& mark) {
   for (std::int64_t i = 0; i < steps; ++i) {
     if (drive.state.step % drive.engine.control_every == 0) drive.HoldSpeed();

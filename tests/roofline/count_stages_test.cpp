@@ -1,3 +1,4 @@
+#define DBD_NO_FLATTEN
 #include "count_stages.h"
 
 #include <gtest/gtest.h>
