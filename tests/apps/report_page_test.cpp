@@ -105,7 +105,7 @@ TEST_F(ReportPageTest, ShowsWhatTheDrawsSay) {
   made_.options.uncertainty.draws = 10;
   const json data = DataOf(Page());
   EXPECT_EQ(data["extraColumns"].size(), 3u);
-  EXPECT_EQ(data["candidates"][0]["extra"], json::array({"75 % (49–94)", "33.0", "40.0"}));
+  EXPECT_EQ(data["candidates"][0]["extra"], json::array({"77 % (49–94)", "33.0", "40.0"}));
   EXPECT_TRUE(data["candidates"][1]["extra"].empty());
 }
 

@@ -59,7 +59,7 @@ TEST(ExpectedCost, AFailureCostsAnotherTry) {
   estimate.draws = 10, estimate.reached = 5, estimate.mean_score = 40;
   EXPECT_DOUBLE_EQ(ExpectedCost(estimate), 80);
   estimate.reached = 10;
-  EXPECT_DOUBLE_EQ(ExpectedCost(estimate), 40.0 * 12 / 11);
+  EXPECT_DOUBLE_EQ(ExpectedCost(estimate), 40.0 * 11 / 10.5);
   estimate.reached = 0;
   EXPECT_TRUE(std::isinf(ExpectedCost(estimate)));
 }
