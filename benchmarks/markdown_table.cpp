@@ -69,14 +69,16 @@ void PrintTable(const std::string& file) {
 
 }  // namespace
 
+/// A file that cannot be read does not keep the others from being printed.
 int main(int argc, char** argv) {
+  int unread = 0;
   for (int i = 1; i < argc; ++i) {
     try {
       PrintTable(argv[i]);
     } catch (const json::exception& error) {
       std::fprintf(stderr, "markdown_table: %s: %s\n", argv[i], error.what());
-      return 1;
+      ++unread;
     }
   }
-  return 0;
+  return unread > 0 ? 1 : 0;
 }
