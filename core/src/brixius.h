@@ -38,7 +38,7 @@ Real MobilityNumber(const Real& cone_index, const Real& load, const Real& deflec
 template <class Real, class Coefficients>
 Real TractionCapacity(const Coefficients& c, const Real& mobility) {
   return ToLanes<Real>(c.traction_max) *
-         (Real(1) - Exp(Real(-1) * ToLanes<Real>(c.mobility_rate) * mobility));
+         (Real(1) - Exp(ToLanes<Real>(-c.mobility_rate) * mobility));
 }
 
 /// Motion resistance ratio without ct; `slip` may be negative, its magnitude counts.

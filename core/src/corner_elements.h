@@ -29,8 +29,9 @@ CornerFour<Real, Element> Pick(const CornerRow& row, const std::vector<Element>&
 template <class Real, class Four, class Field>
 Real InLanes(const Four& four, const Field& field) {
   Real pack;
-  for (int lane = 0; lane < LaneTraits<Real>::kLanes; ++lane)
+  for (int lane = 0; lane < LaneTraits<Real>::kLanes; ++lane) {
     SetNumber(pack, lane, std::invoke(field, *four[lane]));
+  }
   return pack;
 }
 

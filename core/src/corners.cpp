@@ -153,10 +153,7 @@ Corners OneLane(const VehicleModel& vehicle) {
   for (int i = 0; i < static_cast<int>(vehicle.bodies.size()); ++i) {
     rows.bodies.push_back(row_of(i));
   }
-  for (const WheelModel& w : vehicle.wheels) {
-    rows.wheel_places.push_back({static_cast<int>(rows.wheels.size()), 0});
-    add(rows.wheels, w.reaction_body, w.body);
-  }
+  for (const WheelModel& w : vehicle.wheels) add(rows.wheels, w.reaction_body, w.body);
   for (const LinkModel& e : vehicle.links) add(rows.links, e.body_a, e.body_b, e.steered_wheel);
   for (const SpringModel& e : vehicle.springs) add(rows.springs, e.body_a, e.body_b);
   for (const AxisJointModel& e : vehicle.joints) {

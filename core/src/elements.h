@@ -153,20 +153,27 @@ Vec3<Real> BallForce(const Model& model, const JoinedBodies& joined, const Joine
   return sum;
 }
 
-/// Force and torque on body b about its centre of mass, in axes of a.
+/// Force on body b and its moment about Bo, in axes of a.
+template <class Real>
+struct JoiningWrench {
+  Vec3<Real> f_A, t_A;
+};
+
 template <class Real, class Model>
-Wrench<Real> JoiningWrench(const Model& model, const JoinedBodies& joined,
-                           const JoinedBodies::Pair& pair, const WheelControls<Real>& controls,
-                           bool update_springs, const RelativeMotion<Real>& motion,
-                           Workspace<Real>& work) {
-  Wrench<Real> on_b{};
+JoiningWrench<Real> SumJoiningForces(const Model& model, const JoinedBodies& joined,
+                                     const JoinedBodies::Pair& pair,
+                                     const WheelControls<Real>& controls, bool update_springs,
+                                     const RelativeMotion<Real>& motion, Workspace<Real>& work) {
+  JoiningWrench<Real> on_b{};
   for (int i = pair.balls.begin; i < pair.balls.end; ++i) {
     const JoinedBodies::Ball& ball = joined.balls[i];
     const BodyPoint<Real> place = PlaceBall(model, ball, motion);
-    on_b.Add(BallForce(model, joined, ball, controls, update_springs, place, work), place.lever);
+    const Vec3<Real> f_A = BallForce(model, joined, ball, controls, update_springs, place, work);
+    on_b.f_A += f_A;
+    on_b.t_A += Cross(place.lever, f_A);
   }
   for (int i = pair.joints.begin; i < pair.joints.end; ++i) {
-    on_b.t_W += JointTorque(model.joints[joined.joints[i]], controls, motion);
+    on_b.t_A += JointTorque(model.joints[joined.joints[i]], controls, motion);
   }
   return on_b;
 }
@@ -182,9 +189,9 @@ DBD_STAGE void SetJoiningForces(const Model& model, const JoinedBodies& joined,
     const BodyState<Real>&a = state.bodies[pair.body_a], &b = state.bodies[pair.body_b];
     const Mat3<Real>& R_WA = work.R_WB[pair.body_a];
     const auto motion = MotionSeenFrom(a, R_WA, b, work.R_WB[pair.body_b]);
-    const Wrench<Real> on_b =
-        JoiningWrench(model, joined, pair, controls, update_springs, motion, work);
-    const Vec3<Real> f_W = R_WA * on_b.f_W, t_W = R_WA * on_b.t_W;
+    const JoiningWrench<Real> on_b =
+        SumJoiningForces(model, joined, pair, controls, update_springs, motion, work);
+    const Vec3<Real> f_W = R_WA * on_b.f_A, t_W = R_WA * on_b.t_A;
     work.wrench[pair.body_b].f_W += f_W;
     work.wrench[pair.body_b].t_W += t_W;
     work.wrench[pair.body_a].f_W -= f_W;

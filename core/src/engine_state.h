@@ -91,7 +91,8 @@ struct Wrench {
   }
 };
 
-/// A point fixed to a body: lever arm from the body's centre of mass, place and velocity in W.
+/// A point fixed to a body: lever arm from the body's centre of mass, place and velocity, in W or
+/// in the axes of the body that it is seen from.
 template <class Real>
 struct BodyPoint {
   Vec3<Real> lever;

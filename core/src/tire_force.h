@@ -140,8 +140,7 @@ void SetLateral(const Tire& tire, WheelState<Real>& wheel, TireLaw<Real>& law) {
   const Real use = law.traction0 / Max(law.traction_limit, Real(S(kLeastLoad)));
   const Real ellipse = Sqrt(Max(one - use * use, Real(S(kEllipseFloor))));
   const Real limit = ToLanes<Real>(tire.lateral_share) * law.capacity * law.load;
-  const Real size =
-      limit * ellipse * (one - Exp(Real(-1) * ToLanes<Real>(tire.lateral_rate) * Abs(angle)));
+  const Real size = limit * ellipse * (one - Exp(ToLanes<Real>(-tire.lateral_rate) * Abs(angle)));
   law.lateral = Select(angle < Real(0), size, Real(-1) * size);
 }
 
