@@ -31,7 +31,7 @@ struct Arguments {
   int queries = 20;
   double seconds = 1e9;  // no query is begun later
   int pool = 96;
-  int candidates = 32;
+  int candidates = PlanOptions{}.sampling.candidates;
   int draws = 1;  // of the plan: 1 = it trusts the terrain as it is given
   std::uint64_t seed = 1;
   double shortest = 100;  // [m]

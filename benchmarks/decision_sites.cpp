@@ -55,8 +55,8 @@ std::vector<Site> LoadSites(const fs::path& data) {
   lidr.material_table = "forest-ponds";
   lidr.obstacles = (data / "octomap/lidr_topography_obstacles_0.5m.bt").string();
   lidr.obstacles_placement.origin = {273357, 5274357};
-  TerrainFiles& tahoe = add("tahoe", "tahoe_lidar_bareearth.tif");
-  tahoe.surface_model = (data / "dem/tahoe_lidar_highesthit.tif").string();
+  // Without its trees, among which no two places 60 m apart connect.
+  add("tahoe", "tahoe_lidar_bareearth.tif");
   std::vector<Site> sites;
   for (const auto& [name, files] : all) {
     if (fs::exists(files.elevation)) sites.push_back({name, LoadTerrain(files)});

@@ -17,7 +17,7 @@ struct PlanArguments {
   std::string start;
   std::string goal;
   Coordinates coordinates = Coordinates::kMap;
-  int candidates = 32;
+  int candidates = SamplingOptions{}.candidates;
   int rounds = 3;
   double max_speed_kmh = 28.8;
   bool reversing = false;

@@ -56,6 +56,14 @@ std::vector<std::size_t> BestOf(const DrivenCandidates& driven) {
   return order;
 }
 
+/// In an earlier round: once more would be the same drive.
+bool WasSlowed(const DrivenCandidates& driven, std::size_t parent) {
+  const Candidate& usual = driven.candidates[parent];
+  return std::any_of(driven.candidates.begin(), driven.candidates.end(), [&](const Candidate& c) {
+    return c.speed_caps.size() > usual.speed_caps.size() && c.path.points() == usual.path.points();
+  });
+}
+
 std::vector<Pose2> PosesAlong(const Path& path) {
   const int steps = std::max(1, static_cast<int>(std::ceil(path.length() / kSpacing)));
   std::vector<Pose2> poses;
@@ -203,7 +211,7 @@ std::vector<Candidate> VaryBest(const TrafficabilityLayer& layer, const VehicleM
                               driven.rollouts[parent]);
     SplitMix64 random(DeriveSeed(seed, static_cast<std::uint64_t>(i)));
     std::optional<Candidate> variant;
-    if (slowed.insert(parent).second) variant = variation.Slower();
+    if (slowed.insert(parent).second && !WasSlowed(driven, parent)) variant = variation.Slower();
     // The places where the direction changes hang together: such a route keeps its shape.
     const bool keeps_shape = driven.candidates[parent].path.reverse_length() > 0;
     if (!variant && !keeps_shape && i % 4 == 1) variant = variation.Smoothed(random.Next());

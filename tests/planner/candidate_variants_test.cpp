@@ -89,6 +89,17 @@ TEST_F(VaryBestTest, SlowsDownBeforeATightPlace) {
   EXPECT_DOUBLE_EQ(first.speed_caps[0].speed, 4.2);
 }
 
+TEST_F(VaryBestTest, SlowsDownOnlyOnce) {
+  Add(50, Outcome::kReached, 1, 60);
+  const Candidate slower = Vary(1).at(0);
+  Add(50, Outcome::kReached, 1, 62);
+  candidates_.back() = slower;
+  for (const Candidate& variant : Vary(4)) {
+    const bool slowed_anew = variant.path.points() == slower.path.points();
+    if (slowed_anew) EXPECT_EQ(variant.speed_caps.size(), 2u);  // the slower one itself
+  }
+}
+
 TEST_F(VaryBestTest, WithoutSuccessVariesWhatCameFarthest) {
   Add(30, Outcome::kImmobilized, 0.2, 0);
   Add(50, Outcome::kCollided, 0.7, 0);
