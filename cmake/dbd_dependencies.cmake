@@ -6,7 +6,6 @@ if(DBD_BUILD_APPS)
   find_package(PkgConfig REQUIRED)
   pkg_check_modules(cairo REQUIRED IMPORTED_TARGET cairo)
   find_package(OpenSSL 3 REQUIRED COMPONENTS Crypto)  # hashes of input files
-  find_package(ZLIB REQUIRED)  # pictures
   # Chart.js (MIT licence) is built into the program and from there into report.html.
   find_file(DBD_CHART_JS chart.min.js PATHS /usr/share/javascript/chart.js REQUIRED)
 endif()

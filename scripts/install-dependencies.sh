@@ -5,7 +5,7 @@ set -eu
 
 packages="g++ cmake ninja-build pkg-config git ca-certificates ccache dpkg-dev
   libeigen3-dev libompl-dev libtbb-dev liboctomap-dev libspdlog-dev
-  libgdal-dev libassimp-dev libcairo2-dev zlib1g-dev libssl-dev libjs-chart.js fonts-dejavu-core gnuplot-nox
+  libgdal-dev libassimp-dev libcairo2-dev libssl-dev libjs-chart.js fonts-dejavu-core gnuplot-nox
   libcli11-dev nlohmann-json3-dev libgtest-dev libgmock-dev libvalijson-dev
   libbenchmark-dev $*"
 

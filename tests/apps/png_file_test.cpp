@@ -3,11 +3,7 @@
 #include <dbd/core/error.h>
 #include <gdal_priv.h>
 #include <gtest/gtest.h>
-#include <tbb/task_arena.h>
 
-#include <fstream>
-#include <iterator>
-#include <string>
 #include <vector>
 
 #include "support/temporary_directory.h"
@@ -29,11 +25,6 @@ std::vector<std::uint32_t> Colours(int width, int height, int stride) {
     }
   }
   return pixels;
-}
-
-std::string Bytes(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 void ExpectReadBack(const std::filesystem::path& file, const PixelRows& image) {
@@ -71,21 +62,6 @@ TEST(WritePng, IsReadBackAsItWas) {
     WritePng(file, image);
     ExpectReadBack(file, image);
   }
-}
-
-TEST(WritePng, IsTheSameFileForAnyNumberOfThreads) {
-  const TemporaryDirectory directory;
-  const auto pixels = Colours(301, 300, 301);
-  const PixelRows image{301, 300, 301, pixels.data()};
-  const std::filesystem::path file = directory.path() / "image.png";
-  std::vector<std::string> files;
-  for (const int threads : {1, 2, 3}) {
-    tbb::task_arena(threads).execute([&] { WritePng(file, image); });
-    files.push_back(Bytes(file));
-  }
-  EXPECT_FALSE(files[0].empty());
-  EXPECT_EQ(files[0], files[1]);
-  EXPECT_EQ(files[0], files[2]);
 }
 
 TEST(WritePng, SaysWhichFileCannotBeWritten) {
