@@ -7,10 +7,8 @@
 #include <ompl/base/ProblemDefinition.h>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/goals/GoalStates.h>
-#include <ompl/datastructures/NearestNeighborsLinear.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <ompl/geometric/planners/informedtrees/ABITstar.h>
-#include <ompl/geometric/planners/informedtrees/bitstar/Vertex.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/util/Console.h>
 
@@ -145,28 +143,3 @@ OmplSilence::~OmplSilence() {
 }
 
 }  // namespace dbd
-
-using BitStarVertex = std::shared_ptr<ompl::geometric::BITstar::Vertex>;
-
-// Instead of OMPL's own, which asks for two distances in every comparison while it sorts, though
-// its search spends most of its time here. The sort makes the same comparisons, so that the
-// neighbours are the same in the same order, ties too. Where a linker should not put this in
-// place, OMPL's own serves.
-template <>
-void ompl::NearestNeighborsLinear<BitStarVertex>::nearestK(
-    const BitStarVertex& vertex, std::size_t k, std::vector<BitStarVertex>& nearest) const {
-  using Entry = std::pair<double, const BitStarVertex*>;
-  std::vector<Entry> entries;
-  entries.reserve(data_.size());
-  for (const BitStarVertex& other : data_) entries.emplace_back(distFun_(other, vertex), &other);
-  const auto is_nearer = [](const Entry& a, const Entry& b) { return a.first < b.first; };
-  if (entries.size() > k) {
-    const auto last = entries.begin() + static_cast<std::ptrdiff_t>(k);
-    std::partial_sort(entries.begin(), last, entries.end(), is_nearer);
-    entries.resize(k);
-  } else {
-    std::sort(entries.begin(), entries.end(), is_nearer);
-  }
-  nearest.clear();
-  for (const Entry& entry : entries) nearest.push_back(*entry.second);
-}
