@@ -24,8 +24,7 @@ class LaneSoils {
   static constexpr int kLanes = LaneTraits<Real>::kLanes;
   using S = ScalarOf<Real>;
 
-  explicit LaneSoils(const GroundSoils& soils)
-      : raster_(soils), per_x_(1 / soils.cell_x), per_y_(1 / soils.cell_y) {
+  explicit LaneSoils(const GroundSoils& soils) : raster_(soils) {
     for (int i = 0; i < soils.count; ++i) {
       const SoilSample& soil = soils.soils[i];
       cone_index_[i] = static_cast<S>(soil.cone_index);
@@ -56,15 +55,11 @@ class LaneSoils {
 
  private:
   std::uint8_t ClassAt(double x, double y) const {
-    const double u = (x - raster_.x0) * per_x_, v = (y - raster_.y0) * per_y_;
-    const bool inside = u >= 0 && u < raster_.columns && v >= 0 && v < raster_.rows;
-    if (!inside) return raster_.outside;
-    return raster_
-        .classes[static_cast<std::ptrdiff_t>(v) * raster_.columns + static_cast<std::ptrdiff_t>(u)];
+    const std::ptrdiff_t cell = raster_.grid.CellAt(x, y);
+    return cell < 0 ? raster_.outside : raster_.classes[cell];
   }
 
   GroundSoils raster_;
-  double per_x_, per_y_;
   bool plain_ = true;
   std::array<S, 256> cone_index_{}, friction_limit_{}, traction_model_{};
 };

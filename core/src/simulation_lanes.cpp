@@ -48,7 +48,6 @@ struct SimulationLanes::Impl {
         held(HeldByBrakes(model)),
         steering(model),
         steering_origin(SteeringOrigin(model)),
-        driven_wheels(CountDrivenWheels(model)),
         control_step(times.step * times.control_every),
         engine(MakeLaneEngine(kind, model, surface)) {
     if (!engine) throw InputError("this processor has no lanes of " + LaneKindName(kind));
@@ -74,7 +73,6 @@ struct SimulationLanes::Impl {
   WheelControls<double> held;
   AckermannGeometry steering;
   Eigen::Vector3d steering_origin;
-  int driven_wheels;
   double control_step;
   std::unique_ptr<LaneEngine> engine;
   std::vector<Lane> lanes;
@@ -128,9 +126,10 @@ void SimulationLanes::Impl::Drive(int index, const DriverCommand& command) {
     lane.command = command;
   }
   orders.keep[i] = 1;
-  if (driven_wheels == 0) return;
+  const auto driven = static_cast<int>(times.driven_wheels.size());
+  if (driven == 0) return;
   orders.drive_torque[i] = DriveTorquePerWheel(vehicle.powertrain, command, readings.driven_spin[i],
-                                               driven_wheels, control_step, lane.powertrain);
+                                               driven, control_step, lane.powertrain);
 }
 
 /// Empty and waiting lanes are kept from moving, settling ones are damped.

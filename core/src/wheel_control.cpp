@@ -28,12 +28,6 @@ void SetSteeringAndBrakes(const VehicleModel& vehicle, const AckermannGeometry& 
   }
 }
 
-int CountDrivenWheels(const VehicleModel& vehicle) {
-  int count = 0;
-  for (const WheelModel& wheel : vehicle.wheels) count += IsDriven(vehicle, wheel);
-  return count;
-}
-
 double DriveTorquePerWheel(const PowertrainModel& model, const DriverCommand& command, double spin,
                            int driven, double dt, PowertrainState& powertrain) {
   SelectDirection(command.reverse, powertrain);

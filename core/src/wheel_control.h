@@ -20,8 +20,6 @@ void SetSteeringAndBrakes(const VehicleModel& vehicle, const DriverCommand& comm
 void SetSteeringAndBrakes(const VehicleModel& vehicle, const AckermannGeometry& geometry,
                           const DriverCommand& command, WheelControls<double>& controls);
 
-int CountDrivenWheels(const VehicleModel& vehicle);
-
 /// Advances the powertrain by `dt`; returns the torque on each of `driven` wheels, which turn at
 /// `spin` [rad/s] on average.
 double DriveTorquePerWheel(const PowertrainModel& model, const DriverCommand& command, double spin,

@@ -29,7 +29,9 @@ MaterialMap::MaterialMap(MaterialTable table, const HeightMap::Grid& grid,
                          std::vector<std::uint8_t> indices)
     : table_(std::move(table)),
       grid_(grid),
-      inverse_cell_size_(grid.cell_size.cwiseInverse()),
+      cells_{grid.columns,           grid.rows,
+             grid.first_center.x(),  grid.first_center.y(),
+             1 / grid.cell_size.x(), 1 / grid.cell_size.y()},
       indices_(std::move(indices)) {
   DBD_ASSERT(indices_.size() == grid_.CellCount() && !indices_.empty());
   const std::vector<Material>& materials = table_.materials();
@@ -67,12 +69,7 @@ GroundSoils MaterialMap::View() const {
   if (is_uniform()) return view;
   view.count = static_cast<int>(soils_.size());
   view.classes = indices_.data();
-  view.columns = grid_.columns;
-  view.rows = grid_.rows;
-  view.x0 = grid_.first_center.x() - 0.5 * grid_.cell_size.x();
-  view.y0 = grid_.first_center.y() - 0.5 * grid_.cell_size.y();
-  view.cell_x = grid_.cell_size.x();
-  view.cell_y = grid_.cell_size.y();
+  view.grid = cells_;
   view.outside = kNone;
   return view;
 }
@@ -84,12 +81,8 @@ double MaterialMap::Share(std::uint8_t index) const {
 }
 
 std::uint8_t MaterialMap::IndexAt(double x, double y) const {
-  const double u = (x - grid_.first_center.x()) * inverse_cell_size_.x() + 0.5;
-  const double v = (y - grid_.first_center.y()) * inverse_cell_size_.y() + 0.5;
-  const bool inside = u >= 0 && u < grid_.columns && v >= 0 && v < grid_.rows;
-  if (!inside) return kNone;
-  return indices_[static_cast<std::size_t>(v) * static_cast<std::size_t>(grid_.columns) +
-                  static_cast<std::size_t>(u)];
+  const std::ptrdiff_t cell = cells_.CellAt(x, y);
+  return cell < 0 ? kNone : indices_[static_cast<std::size_t>(cell)];
 }
 
 }  // namespace dbd

@@ -41,9 +41,7 @@ TEST(LaneSoils, EachLaneReadsTheClassUnderIt) {
   ground.soils = soils.data();
   ground.count = 4;
   ground.classes = classes.data();
-  ground.columns = 3, ground.rows = 2;
-  ground.x0 = 10, ground.y0 = -4;
-  ground.cell_x = 2, ground.cell_y = 1;
+  ground.grid = {3, 2, 11, -3.5, 0.5, 1};  // from (10, -4), cells of 2 m x 1 m
   ground.outside = 3;
   const LaneSoils<Lanes> lanes(ground);
   const double x[4] = {10.1, 15.9, 12.5, 16.1}, y[4] = {-3.9, -3.5, -2.1, -3.5};

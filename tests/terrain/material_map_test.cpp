@@ -77,10 +77,8 @@ TEST(MaterialMap, ItsViewSaysTheSame) {
     for (double y = -5; y < 9; y += 0.41) {
       SoilSample soil;
       map.Soils(1, &x, &y, &soil);
-      const double u = (x - view.x0) / view.cell_x, v = (y - view.y0) / view.cell_y;
-      const bool inside = u >= 0 && u < view.columns && v >= 0 && v < view.rows;
-      const int cell = inside ? static_cast<int>(v) * view.columns + static_cast<int>(u) : 0;
-      const std::uint8_t index = inside ? view.classes[cell] : view.outside;
+      const std::ptrdiff_t cell = view.grid.CellAt(x, y);
+      const std::uint8_t index = cell < 0 ? view.outside : view.classes[cell];
       ASSERT_EQ(view.soils[index].cone_index, soil.cone_index) << x << " " << y;
     }
   }

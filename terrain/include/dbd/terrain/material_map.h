@@ -102,7 +102,7 @@ class MaterialMap {
 
   MaterialTable table_;
   HeightMap::Grid grid_;
-  Eigen::Vector2d inverse_cell_size_ = Eigen::Vector2d::Zero();
+  CellGrid cells_;  // of the same grid
   std::vector<std::uint8_t> indices_;
   std::array<SoilSample, 256> soils_;  // by index, so that a look-up has no branch
 };
