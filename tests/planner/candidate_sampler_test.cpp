@@ -271,7 +271,9 @@ TEST(SampleCandidates, FindsRoutesOnRealLidar) {
   const Eigen::Vector2d start = terrain->frame().ToLocal({564050, 146300});
   const Eigen::Vector2d goal = terrain->frame().ToLocal({564950, 146850});
   const PlanRequest request = Between(start.x(), start.y(), goal.x(), goal.y());
-  const CandidateSet set = Sample(*terrain, request, PlanOptions{});
+  PlanOptions options;
+  options.sampling.candidates = 32;
+  const CandidateSet set = Sample(*terrain, request, options);
   ASSERT_EQ(set.candidates.size(), 32u);
   ExpectSound(*terrain, request, set);
 }
