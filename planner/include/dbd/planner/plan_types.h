@@ -17,7 +17,7 @@ namespace dbd {
 /// How candidates are sampled. Every budget is an amount of work, never a time, so that the
 /// same request gives the same candidates.
 struct SamplingOptions {
-  int candidates = 64;            ///< routes to drive
+  int candidates = 96;            ///< routes to drive
   int roadmap_nodes = 3000;       ///< of the penalised-search roadmap
   int planner_iterations = 2000;  ///< of each OPTIMISING planner run
   double min_separation = 5.0;    ///< routes nearer to each other than this are the same [m]
