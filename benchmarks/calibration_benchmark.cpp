@@ -13,6 +13,7 @@
 #include <cmath>
 #include <cstdio>
 #include <random>
+#include <vector>
 
 #include "decision_sites.h"
 
@@ -29,24 +30,31 @@ struct Arguments {
 
 /// What was predicted and what came of it, for predictions within one bin.
 struct Bin {
+  struct Drives {
+    int draws = 0;
+    int reached = 0;
+  };
+
   int candidates = 0;
-  double predicted = 0;  // sum
-  int draws = 0;
-  int reached = 0;
-  int within = 0;  // candidates whose interval holds the fresh share
+  double predicted = 0;        // sum
+  std::vector<Drives> drives;  // of each query
+  int within = 0;              // candidates whose interval holds the fresh share
 };
 constexpr std::size_t kBins = 5;
 
-void Count(const SuccessEstimate& predicted, const SuccessEstimate& fresh, Bin& bin) {
+void Count(const SuccessEstimate& predicted, const SuccessEstimate& fresh, std::size_t query,
+           Bin& bin) {
   ++bin.candidates;
   bin.predicted += predicted.p_go();
-  bin.draws += fresh.draws;
-  bin.reached += fresh.reached;
+  bin.drives.resize(std::max(bin.drives.size(), query + 1));
+  bin.drives[query].draws += fresh.draws;
+  bin.drives[query].reached += fresh.reached;
   bin.within += fresh.share() >= predicted.low && fresh.share() <= predicted.high;
 }
 
 void Ask(const Site& site, const VehicleModel& vehicle, const TrafficabilityLayer& layer,
-         const PlanRequest& request, const PlanOptions& options, std::array<Bin, kBins>& bins) {
+         const PlanRequest& request, const PlanOptions& options, std::size_t query,
+         std::array<Bin, kBins>& bins) {
   const auto candidates =
       SampleCandidates(*site.terrain, vehicle, layer, request, options, {}).candidates;
   const auto rollouts = EvaluateRollouts(*site.terrain, vehicle, candidates, options, {}, {});
@@ -59,8 +67,26 @@ void Ask(const Site& site, const VehicleModel& vehicle, const TrafficabilityLaye
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     if (!predicted[i] || !told[i]) continue;
     const auto at = static_cast<std::size_t>(predicted[i]->p_go() * kBins);
-    Count(*predicted[i], *told[i], bins[std::min(at, kBins - 1)]);
+    Count(*predicted[i], *told[i], query, bins[std::min(at, kBins - 1)]);
   }
+}
+
+/// Share of all drives that reached the goal, and its standard error. Drives of one query meet the
+/// same draws of the terrain and often the same places: queries are independent, drives are not
+/// (ratio estimator over clusters, W. Cochran, "Sampling Techniques", 1977, section 9A).
+struct Realised {
+  double share = 0, error = 0;
+};
+
+Realised RealisedIn(const Bin& bin) {
+  double draws = 0, reached = 0, squares = 0, queries = 0;
+  for (const Bin::Drives& d : bin.drives) draws += d.draws, reached += d.reached;
+  const double share = reached / draws;
+  for (const Bin::Drives& d : bin.drives) {
+    squares += std::pow(d.reached - share * d.draws, 2);
+    queries += d.draws > 0;
+  }
+  return {share, std::sqrt(squares * queries / std::max(queries - 1, 1.0)) / draws};
 }
 
 void Print(const std::array<Bin, kBins>& bins) {
@@ -69,11 +95,13 @@ void Print(const std::array<Bin, kBins>& bins) {
   for (std::size_t i = 0; i < kBins; ++i) {
     const Bin& bin = bins[i];
     if (bin.candidates == 0) continue;
-    const Interval interval = WilsonInterval(bin.reached, bin.draws);
+    const Realised realised = RealisedIn(bin);
+    constexpr double kNormal95 = 1.96;
+    const double low = std::max(0.0, realised.share - kNormal95 * realised.error);
+    const double high = std::min(1.0, realised.share + kNormal95 * realised.error);
     std::printf("%3zu-%3zu %%  %10d  %12.1f %%  %8.1f %% (%.1f to %.1f)  %14d\n", 100 * i / kBins,
                 100 * (i + 1) / kBins, bin.candidates, 100 * bin.predicted / bin.candidates,
-                100.0 * bin.reached / bin.draws, 100 * interval.low, 100 * interval.high,
-                bin.within);
+                100 * realised.share, 100 * low, 100 * high, bin.within);
   }
 }
 
@@ -87,6 +115,7 @@ void Run(const Arguments& arguments) {
   std::mt19937_64 random(1);
   const auto uniform = [&random] { return static_cast<double>(random() >> 11) * 0x1.0p-53; };
   std::array<Bin, kBins> bins;
+  std::size_t query = 0;
   for (const Site& site : GenerateSites(arguments.sites)) {
     const TrafficabilityLayer layer(*site.terrain, *vehicle, options.max_speed);
     const Eigen::Vector2d extent = layer.max_corner() - layer.min_corner();
@@ -97,7 +126,7 @@ void Run(const Arguments& arguments) {
       const double heading = 6.283185307179586 * uniform();
       request.goal = request.start +
                      arguments.distance * Eigen::Vector2d(std::cos(heading), std::sin(heading));
-      Ask(site, *vehicle, layer, request, options, bins);
+      Ask(site, *vehicle, layer, request, options, query++, bins);
     }
   }
   Print(bins);

@@ -21,6 +21,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNormal95 = 1.959963984540054;  // two-sided 95 %
 constexpr double kTail = 0.1;
 constexpr int kDrawsAtOnce = 8;  // between looks at the ranking, whatever the number of threads
+constexpr int kFewestDraws = 16;  // a share of fewer says too little of P(go), settled or not
 constexpr std::uint64_t kDrawStream = 0x6472617773;  // apart from the planner's other streams
 
 /// Rollouts of the survivors on all draws so far: [draw][survivor].
@@ -159,7 +160,7 @@ std::vector<std::optional<SuccessEstimate>> EstimateSuccess(
     for (std::size_t i = 0; i < driven.size(); ++i) {
       estimates.push_back(Summarize(drives, i, options.scoring));
     }
-    if (IsSettled(drives, estimates, options)) break;
+    if (last >= kFewestDraws && IsSettled(drives, estimates, options)) break;
   }
   std::vector<std::optional<SuccessEstimate>> all(candidates.size());
   for (std::size_t i = 0; i < estimates.size(); ++i) all[survivors[i]] = estimates[i];

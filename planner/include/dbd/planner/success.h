@@ -31,7 +31,8 @@ double ExpectedCost(const SuccessEstimate& estimate);
 /// on the same draws (common random numbers: what differs is the route, not its luck). Ends before
 /// `options.uncertainty.draws` when the ranking is settled: the best candidate's interval lies on
 /// one side of the wanted success, and it beats every other that may reach it by two standard
-/// errors of their paired difference. One entry per candidate; nothing for those not driven.
+/// errors of their paired difference, on 16 draws at least. One entry per candidate; nothing for
+/// those not driven.
 ///
 /// The same for any number of threads. Throws StopRequested soon after `stop` was asked to.
 std::vector<std::optional<SuccessEstimate>> EstimateSuccess(
