@@ -47,7 +47,9 @@ void AddUncertaintyFlags(CLI::App* command, PlanArguments* plan) {
 }  // namespace
 
 void AddPlanFlags(CLI::App* command, PlanArguments* plan) {
-  command->add_option("--candidates", plan->candidates, "Routes to drive, default 96")
+  command
+      ->add_option("--candidates", plan->candidates,
+                   "Routes to drive, default " + std::to_string(plan->candidates))
       ->check(CLI::Range(1, 100000))
       ->option_text("N");
   command

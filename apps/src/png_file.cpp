@@ -4,7 +4,7 @@
 #include <dbd/core/error.h>
 #include <gdal_priv.h>
 
-#include <memory>
+#include <cstdint>
 #include <string>
 
 #include "text.h"
@@ -59,6 +59,7 @@ void WritePng(const std::filesystem::path& file, const PixelRows& image) {
   CPLStringList options;
   options.SetNameValue("ZLEVEL", "1");
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("PNG");
+  if (driver == nullptr) throw InputError(file.string() + ": this GDAL writes no PNG");
   GDALDatasetUniquePtr png(driver->CreateCopy(memory.path().c_str(), raster.get(), FALSE,
                                               options.List(), nullptr, nullptr));
   DBD_ASSERT(png);

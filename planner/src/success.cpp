@@ -20,7 +20,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNormal95 = 1.959963984540054;  // two-sided 95 %
 constexpr double kTail = 0.1;
-constexpr int kDrawsAtOnce = 8;  // between looks at the ranking, whatever the number of threads
+constexpr int kDrawsAtOnce = 8;   // between looks at the ranking, whatever the number of threads
 constexpr int kFewestDraws = 16;  // a share of fewer says too little of P(go), settled or not
 constexpr std::uint64_t kDrawStream = 0x6472617773;  // apart from the planner's other streams
 

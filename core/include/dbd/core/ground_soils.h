@@ -27,8 +27,7 @@ struct CellGrid {
 };
 
 /// The soils of a ground as plain data, for readers that look many places up at once: one soil
-/// everywhere, or a raster of classes. The owner of the arrays is the ground that
-/// hands it out.
+/// everywhere, or a raster of classes. The owner of the arrays is the ground that hands it out.
 struct GroundSoils {
   const SoilSample* soils = nullptr;  ///< by class, as many as there are classes
   int count = 0;
