@@ -46,11 +46,13 @@ class LaneGrid {
            radius < 0.5 * std::min(grid.cell_x, grid.cell_y);
   }
 
-  /// Those four cells.
-  LanePatch<Real> Patch(const GroundGrid& grid, const Real& x, const Real& y) const {
-    const Real east = NearestNode(x_, x), north = NearestNode(y_, y);
-    return LanePatch<Real>({x_.offset, x_.per_metre, east}, {y_.offset, y_.per_metre, north},
-                           ReadNodes(grid, east, north), base_height_);
+  Real NearestColumn(const Real& x) const { return NearestNode(x_, x); }
+  Real NearestRow(const Real& y) const { return NearestNode(y_, y); }
+
+  /// Those four cells, around a node.
+  LanePatch<Real> Patch(const GroundGrid& grid, const Real& column, const Real& row) const {
+    return LanePatch<Real>({x_.offset, x_.per_metre, column}, {y_.offset, y_.per_metre, row},
+                           ReadNodes(grid, column, row), base_height_);
   }
 
   Real HighestNearby(const GroundGrid& grid, const Real& x, const Real& y) const {

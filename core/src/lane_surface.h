@@ -23,6 +23,7 @@ class LaneSurface {
   explicit LaneSurface(const Ground& ground)
       : ground_(ground), grid_(ground.Grid()), facets_(ground.Facets()) {
     if (facets_) wheel_facets_.resize(kMaxWheels);
+    if (grid_) wheel_patches_.resize(kMaxWheels);
     if (const auto soils = ground.SoilClasses()) soils_.emplace(*soils);
     origins_.fill(Eigen::Vector3d::Zero());
     for (int lane = 0; lane < kLanes; ++lane) SetOrigin(lane, Eigen::Vector3d::Zero());
@@ -33,6 +34,7 @@ class LaneSurface {
     origins_[lane] = origin;
     if (grid_) lane_grid_.SetOrigin(*grid_, lane, origin);
     for (LaneFacets<Real>& facets : wheel_facets_) facets.Forget(lane);
+    for (KeptPatch& kept : wheel_patches_) kept.patch.reset();
   }
 
   void Heights(int count, const Real* x, const Real* y, Real* z) const {
@@ -53,10 +55,18 @@ class LaneSurface {
     }
   }
 
-  /// The cells that hold everything within `radius` of each lane's place, if four do.
-  std::optional<LanePatch<Real>> Patch(double radius, const Real& x, const Real& y) const {
-    if (!grid_ || !LaneGrid<Real>::CellsHold(*grid_, radius)) return std::nullopt;
-    return lane_grid_.Patch(*grid_, x, y);
+  /// The cells that hold everything within `radius` of each lane's place, if four do; else null.
+  /// `wheel`: whose place it is; its cells are kept until it is on others in any lane, which takes
+  /// a vehicle some dozens of steps.
+  const LanePatch<Real>* Patch(std::size_t wheel, double radius, const Real& x,
+                               const Real& y) const {
+    if (!grid_ || !LaneGrid<Real>::CellsHold(*grid_, radius)) return nullptr;
+    KeptPatch& kept = wheel_patches_[wheel];
+    const Real column = lane_grid_.NearestColumn(x), row = lane_grid_.NearestRow(y);
+    if (!kept.patch || AnyOf(Max(Abs(column - kept.column), Abs(row - kept.row)) > Real(S(0)))) {
+      kept = {column, row, lane_grid_.Patch(*grid_, column, row)};
+    }
+    return &*kept.patch;
   }
 
   /// Heights around a wheel, on triangles.
@@ -104,6 +114,11 @@ class LaneSurface {
   }
 
  private:
+  struct KeptPatch {
+    Real column{S(0)}, row{S(0)};  // of its middle node
+    std::optional<LanePatch<Real>> patch;
+  };
+
   void ToWorld(const Real& x, const Real& y, double* wx, double* wy) const {
     S lx[kLanes], ly[kLanes];
     LaneTraits<Real>::Store(x, lx);
@@ -152,7 +167,9 @@ class LaneSurface {
   std::optional<LaneSoils<Real>> soils_;
   std::array<Eigen::Vector3d, kLanes> origins_;
   LaneGrid<Real> lane_grid_;
-  mutable std::vector<LaneFacets<Real>> wheel_facets_;  // a surface belongs to one pack
+  // A surface belongs to one pack.
+  mutable std::vector<LaneFacets<Real>> wheel_facets_;
+  mutable std::vector<KeptPatch> wheel_patches_;
 };
 
 }  // namespace dbd

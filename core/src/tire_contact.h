@@ -288,8 +288,8 @@ void SampleContact(const Pattern& pattern, const Surface& ground, const Vec3<Rea
   const Mat3<Real> R_WT = TireFrame(y_W);
   contact.p_WH = p_WH;
   contact.deflection = Real(0);
-  if constexpr (requires { ground.Patch(pattern.reach, p_WH.x, p_WH.y); }) {
-    if (const auto patch = ground.Patch(pattern.reach, p_WH.x, p_WH.y)) {
+  if constexpr (requires { ground.Patch(wheel, pattern.reach, p_WH.x, p_WH.y); }) {
+    if (const auto* patch = ground.Patch(wheel, pattern.reach, p_WH.x, p_WH.y)) {
       SampleContactOn(pattern, *patch, patch->Plane(p_WH.x, p_WH.y), ground, R_WT, contact);
       return;
     }

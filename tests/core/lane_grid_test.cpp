@@ -111,7 +111,7 @@ void ExpectPatches(const GroundGrid& grid) {
       py.v[lane] =
           y.v[lane] + static_cast<S>(0.49 * grid.cell_y * (2.0 * ((n * 31) % 83) / 83 - 1));
     }
-    const LanePatch<P> patch = lanes.Patch(grid, x, y);
+    const LanePatch<P> patch = lanes.Patch(grid, lanes.NearestColumn(x), lanes.NearestRow(y));
     P z;
     patch.Heights(1, &px, &py, &z);
     const P expected = lanes.Height(grid, px, py);
