@@ -18,6 +18,7 @@
 #include <optional>
 #include <random>
 
+#include "decision_results.h"
 #include "decision_sites.h"
 #include "decision_table.h"
 
@@ -36,7 +37,8 @@ struct Arguments {
   std::uint64_t seed = 1;
   double shortest = 100;  // [m]
   double longest = 250;
-  std::string site;  // all
+  std::string site;     // all
+  std::string results;  // none
 };
 
 using Clock = std::chrono::steady_clock;
@@ -208,16 +210,17 @@ void Run(const Arguments& arguments) {
   for (const Site& site : sites)
     layers.emplace_back(*site.terrain, *vehicle, PlanOptions{}.max_speed);
   std::mt19937_64 random(arguments.seed);
-  std::vector<QueryResult> results;
+  DecisionResults results(arguments.results);
   const auto begin = Clock::now();
   for (int i = 0; i < arguments.queries && SecondsSince(begin) < arguments.seconds; ++i) {
     const std::size_t at = static_cast<std::size_t>(i) % sites.size();
     const auto request = DrawRequest(*sites[at].terrain, layers[at], arguments, random);
-    if (!request) continue;
-    results.push_back(Ask(sites[at], vehicle, layers[at], *request, arguments, i));
-    PrintQuery(i, results.back());
+    if (!request || results.Has(i)) continue;
+    const QueryResult result = Ask(sites[at], vehicle, layers[at], *request, arguments, i);
+    PrintQuery(i, result);
+    results.Add(i, result);
   }
-  PrintSummary(results);
+  PrintSummary(results.All());
 }
 
 }  // namespace
@@ -238,6 +241,8 @@ int main(int argc, char** argv) {
   app.add_option("--longest", arguments.longest, "Largest [m]");
   app.add_option("--site", arguments.site, "Only this one, as named in the table");
   app.add_option("--seed", arguments.seed);
+  app.add_option("--results", arguments.results,
+                 "File that keeps what each query came to: run again, only the rest is asked");
   CLI11_PARSE(app, argc, argv);
   try {
     dbd::Run(arguments);
