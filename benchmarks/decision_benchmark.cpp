@@ -17,6 +17,8 @@
 #include <cstdio>
 #include <optional>
 #include <random>
+#include <sstream>
+#include <string>
 
 #include "decision_results.h"
 #include "decision_sites.h"
@@ -196,6 +198,16 @@ QueryResult Ask(const Site& site, const std::shared_ptr<const VehicleModel>& veh
   return result;
 }
 
+/// All on which the answer to a query of a number depends.
+std::string SettingsOf(const Arguments& a) {
+  std::ostringstream text;
+  text << "seed " << a.seed << ", " << a.vehicle << ", generated " << a.generated << ", data "
+       << (a.data.empty() ? "none" : "given") << ", site " << (a.site.empty() ? "all" : a.site)
+       << ", " << a.shortest << " to " << a.longest << " m, pool " << a.pool << ", candidates "
+       << a.candidates << ", draws " << a.draws;
+  return text.str();
+}
+
 void Run(const Arguments& arguments) {
   std::vector<Site> sites = GenerateSites(arguments.generated);
   if (!arguments.data.empty()) {
@@ -210,7 +222,7 @@ void Run(const Arguments& arguments) {
   for (const Site& site : sites)
     layers.emplace_back(*site.terrain, *vehicle, PlanOptions{}.max_speed);
   std::mt19937_64 random(arguments.seed);
-  DecisionResults results(arguments.results);
+  DecisionResults results(arguments.results, SettingsOf(arguments));
   const auto begin = Clock::now();
   for (int i = 0; i < arguments.queries && SecondsSince(begin) < arguments.seconds; ++i) {
     const std::size_t at = static_cast<std::size_t>(i) % sites.size();

@@ -68,12 +68,17 @@ QueryResult ResultFrom(const json& object) {
 
 }  // namespace
 
-DecisionResults::DecisionResults(std::string file) : file_(std::move(file)) {
+DecisionResults::DecisionResults(std::string file, std::string settings)
+    : file_(std::move(file)), settings_(std::move(settings)) {
   std::ifstream stream(file_);
   std::string line;
   for (int i = 1; std::getline(stream, line); ++i) {
     try {
       const json object = json::parse(line);
+      if (object.at("settings") != settings_) {
+        throw InputError(file_ + ":" + std::to_string(i) +
+                         ": asked with other settings: " + object.at("settings").dump());
+      }
       results_[object.at("number")] = ResultFrom(object);
     } catch (const json::exception& error) {
       throw InputError(file_ + ":" + std::to_string(i) + ": no result of a query: " + error.what());
@@ -85,7 +90,9 @@ void DecisionResults::Add(int number, const QueryResult& result) {
   results_[number] = result;
   if (file_.empty()) return;
   std::ofstream stream(file_, std::ios::app);
-  stream << ToJson(number, result).dump() << std::endl;
+  json object = ToJson(number, result);
+  object["settings"] = settings_;
+  stream << object.dump() << std::endl;
   if (!stream) throw InputError(file_ + ": cannot be written");
 }
 

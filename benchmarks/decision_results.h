@@ -11,9 +11,10 @@ namespace dbd {
 /// any time, and go on later with what is left.
 class DecisionResults {
  public:
-  /// Reads what the file holds; an empty name keeps nothing. Throws InputError when a line is not
-  /// one that `Add` has written.
-  explicit DecisionResults(std::string file);
+  /// Reads what the file holds; an empty name keeps nothing. `settings`: what the answers depend on
+  /// besides the number. Throws InputError when a line is not one that `Add` has written with the
+  /// same settings.
+  DecisionResults(std::string file, std::string settings);
 
   bool Has(int number) const { return results_.contains(number); }
   /// Also appends it to the file. Throws InputError when that cannot be written.
@@ -22,6 +23,7 @@ class DecisionResults {
 
  private:
   std::string file_;
+  std::string settings_;
   std::map<int, QueryResult> results_;
 };
 
