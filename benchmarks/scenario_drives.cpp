@@ -8,7 +8,7 @@ namespace dbd {
 namespace {
 
 constexpr double kSettleTime = 1;           // [s], simulated like the drive
-constexpr double kDecisionInterval = 0.02;  // [s] between a driver's decisions, as in plans
+constexpr double kDecisionInterval = 0.04;  // [s] between decisions of a driver, as in plans
 
 Terrain Rasterise(const Ground& ground, double cell) {
   HeightMap::Grid grid;

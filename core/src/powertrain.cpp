@@ -34,7 +34,7 @@ void ChooseGear(const PowertrainModel& powertrain, double wheel_speed, Powertrai
 
 /// Share of the torque that the clutch passes since the last shift.
 double Engagement(const PowertrainModel& powertrain, double time_in_gear) {
-  constexpr double kClosed = 40;  // time constants: the exponential is below round-off
+  constexpr double kClosed = 18;  // time constants: the exponential is below a float's round-off
   if (time_in_gear >= kClosed * powertrain.clutch_time) return 1;
   return 1 - std::exp(-time_in_gear / powertrain.clutch_time);
 }

@@ -29,7 +29,7 @@ Rollout DrivePath(const Terrain& terrain, const VehicleModel& vehicle, const Pat
       }
     }
     const DriverCommand command = session.Decide(snapshot);
-    for (int i = 0; i < session.look_every(); ++i) {
+    for (int i = 0; i < session.steps_to_look(); ++i) {
       simulation.Advance(command);
       session.Feel(simulation.VerticalAcceleration());
     }

@@ -9,9 +9,12 @@
 namespace dbd {
 namespace {
 
-// Between two looks of the judge and two decisions of the driver [s]: 50 Hz, as fast as people's
-// and machines' steering answers, and a fraction of what driver and judge would cost at every step.
-constexpr double kLookInterval = 0.02;
+// Between two looks of the judge and two decisions of the driver, whichever comes first: 25 Hz, as
+// fast as people's and machines' steering answers. On the candidates of the 1.05 km slovenia route
+// that differs from looks every 5 ms no more than looks every 10 ms do (drives within 0.4 % of the
+// time in the middle); at 60 ms more drives end otherwise.
+constexpr double kLookInterval = 0.04;  // [s]
+constexpr double kLookDistance = 0.2;   // [m]
 
 std::vector<double> SpeedLimits(const Terrain& terrain, const VehicleModel& vehicle,
                                 const Path& path, const DriveOptions& options) {
@@ -33,8 +36,7 @@ DriveSession::DriveSession(const Terrain& terrain, const VehicleModel& vehicle, 
       ride_(control_step),
       observer_(terrain, vehicle, options.sinkage),
       judge_(vehicle, options.stop_at_violation),
-      control_step_(control_step),
-      look_every_(std::max(1, static_cast<int>(kLookInterval / control_step + 0.5))) {
+      control_step_(control_step) {
   driver_.SetStart(start, heading);
 }
 
@@ -59,7 +61,15 @@ DriverCommand DriveSession::Decide(const VehicleSnapshot& snapshot) {
   view.going.vertical_acceleration = std::sqrt(felt_squares_ / std::max(felt_, 1));
   felt_squares_ = 0;
   felt_ = 0;
-  return driver_.Update(view, look_every_ * control_step_, driver_state_);
+  steps_to_look_ = StepsToLook(snapshot.chassis.forward_speed);
+  return driver_.Update(view, steps_to_look_ * control_step_, driver_state_);
+}
+
+int DriveSession::StepsToLook(double speed) const {
+  const double interval = std::abs(speed) * kLookInterval > kLookDistance
+                              ? kLookDistance / std::abs(speed)
+                              : kLookInterval;
+  return std::max(1, static_cast<int>(interval / control_step_ + 0.5));
 }
 
 bool DriveSession::Look(const VehicleSnapshot& snapshot, bool sane, double energy) {

@@ -14,9 +14,9 @@
 namespace dbd {
 
 /// Everything about one drive but the vehicle's physics: driver, ride meter, judge and record. Who
-/// steps the physics - one vehicle alone or a lane of many - shows it the vehicle every
-/// `look_every()` control steps (20 ms), first at the start, holds the command that it then asks
-/// for until the next look, and lets it feel every step in between.
+/// steps the physics - one vehicle alone or a lane of many - shows it the vehicle, first at the
+/// start, holds the command that it then asks for over `steps_to_look()` control steps (40 ms, less
+/// at more than 5 m/s), lets it feel each of them, and shows it the vehicle again.
 class DriveSession {
  public:
   /// All references must outlive the session. `control_step` [s].
@@ -37,13 +37,15 @@ class DriveSession {
   /// Ends the drive with kCancelled.
   void Cancel();
 
-  int look_every() const { return look_every_; }
+  /// Control steps from the last decision to the next look.
+  int steps_to_look() const { return steps_to_look_; }
   /// After the end.
   Rollout TakeRollout() { return std::move(rollout_); }
 
  private:
   std::optional<Verdict> Judge(const VehicleSnapshot& snapshot, bool sane);
   std::optional<Verdict> LookAtEnd(const VehicleSnapshot& snapshot) const;
+  int StepsToLook(double speed) const;
   void ReadFelt();
   bool RowIsDue(const TraceSample& sample) const;
   void Record(const TraceSample& sample);
@@ -58,7 +60,7 @@ class DriveSession {
   Observer observer_;
   dbd::Judge judge_;
   double control_step_;
-  int look_every_;
+  int steps_to_look_ = 1;
   std::array<double, 8> unread_accelerations_{};  // the last that were felt [m/s^2]
   std::size_t unread_ = 0;
   double felt_squares_ = 0;  // of vertical accelerations since the last decision [m^2/s^4]

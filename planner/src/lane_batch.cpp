@@ -71,7 +71,6 @@ void LaneBatch::Serve(int lane, DriveQueue& queue) {
   if (!slot.session || !lanes_.driving(lane)) return;
   if (lanes_.time(lane) > 0) slot.session->Feel(lanes_.VerticalAcceleration(lane));
   if (slot.steps_to_look == 0) {
-    slot.steps_to_look = slot.session->look_every();
     lanes_.Observe(lane, snapshot_);
     if (slot.session->Look(snapshot_, lanes_.IsSane(lane), lanes_.drive_energy(lane))) {
       lanes_.Park(lane);
@@ -79,6 +78,7 @@ void LaneBatch::Serve(int lane, DriveQueue& queue) {
       return;
     }
     commands_[static_cast<std::size_t>(lane)] = slot.session->Decide(snapshot_);
+    slot.steps_to_look = slot.session->steps_to_look();
   }
   --slot.steps_to_look;
 }

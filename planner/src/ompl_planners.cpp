@@ -77,9 +77,15 @@ ob::ProblemDefinitionPtr MakeProblem(const ob::SpaceInformationPtr& si,
   return problem;
 }
 
+// Of ABIT*. Its own 100 reached over a kilometre only after 1000 iterations what lies beside the
+// straight curve; with 50, 700 find better routes in less time than 2000 did.
+constexpr unsigned kSamplesPerBatch = 50;
+
 std::shared_ptr<ob::Planner> MakePlanner(OmplPlanner planner, const ob::SpaceInformationPtr& si) {
   if (planner == OmplPlanner::kRrtConnect) return std::make_shared<og::RRTConnect>(si);
-  return std::make_shared<og::ABITstar>(si);
+  auto abit_star = std::make_shared<og::ABITstar>(si);
+  abit_star->setSamplesPerBatch(kSamplesPerBatch);
+  return abit_star;
 }
 
 std::vector<Pose2> Waypoints(const ob::ProblemDefinition& problem, bool reversing) {

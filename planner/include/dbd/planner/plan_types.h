@@ -17,12 +17,12 @@ namespace dbd {
 /// How candidates are sampled. Every budget is an amount of work, never a time, so that the
 /// same request gives the same candidates.
 struct SamplingOptions {
-  int candidates = 96;            ///< routes to drive
-  int roadmap_nodes = 3000;       ///< of the penalised-search roadmap
-  int planner_iterations = 2000;  ///< of each OPTIMISING planner run
-  double min_separation = 5.0;    ///< routes nearer to each other than this are the same [m]
-  bool narrow_ways = false;       ///< search a lattice even where random samples find routes
-  bool reversing = false;         ///< routes may change between forward and reverse
+  int candidates = 96;           ///< routes to drive
+  int roadmap_nodes = 3000;      ///< of the penalised-search roadmap
+  int planner_iterations = 700;  ///< of each OPTIMISING planner run
+  double min_separation = 5.0;   ///< routes nearer to each other than this are the same [m]
+  bool narrow_ways = false;      ///< search a lattice even where random samples find routes
+  bool reversing = false;        ///< routes may change between forward and reverse
 };
 
 /// How the budget of driven candidates is spent: some are driven first, what they met guides the
