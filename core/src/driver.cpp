@@ -12,6 +12,12 @@ constexpr double kFarAhead = 1e4;         // [m] length of the line driven when 
 constexpr double kStandstill = 0.05;      // [m/s]
 constexpr double kAtEnd = 0.1;            // [m] from the end of a stretch, to stop there
 
+/// A braked vehicle rocks on its springs: it has come to a stop when its speed passes zero, which
+/// no decision may see.
+bool Stands(const DriverView& view, const DriverState& state) {
+  return std::abs(view.speed) < kStandstill || view.speed * state.last_speed < 0;
+}
+
 /// The steered axle farthest from the fixed line: the mean steer angle is its angle.
 const AxleModel& LeadingAxle(const VehicleModel& vehicle) {
   const double x0 = vehicle.path_point_x();
@@ -119,9 +125,8 @@ double Driver::SpeedAlongPath(const DriverView& view, const DriverState& state) 
 }
 
 /// Standing at the end of a stretch, goes on with the next.
-void Driver::ChangeDirection(const DriverView& view, DriverState& state) const {
-  const bool stands = state.target_speed <= 0 && std::abs(view.speed) < kStandstill;
-  if (OnLastStretch(state) || !stands) return;
+void Driver::ChangeDirection(DriverState& state) const {
+  if (OnLastStretch(state) || state.target_speed > 0) return;
   if (Stretch(state).end - state.arc_length > kAtEnd) return;
   ++state.stretch;
   state.arc_length = Stretch(state).begin;
@@ -157,7 +162,9 @@ double Driver::Steer(const DriverView& view, DriverState& state) const {
 
 DriverCommand Driver::Update(const DriverView& view, double dt, DriverState& state) const {
   DriverCommand command;
-  ChangeDirection(view, state);
+  const bool stands = Stands(view, state);
+  state.last_speed = view.speed;
+  if (stands) ChangeDirection(state);
   command.steer = Steer(view, state);
   command.reverse = Stretch(state).reverse;
   state.target_speed = TargetSpeed(view, dt, state);
@@ -168,7 +175,7 @@ DriverCommand Driver::Update(const DriverView& view, double dt, DriverState& sta
   if (state.target_speed <= 0) {
     state.integral = 0;
     command.brake = 1;
-    state.arrived = OnLastStretch(state) && std::abs(view.speed) < kStandstill;
+    state.arrived = OnLastStretch(state) && stands;
     return command;
   }
   command.engine_torque = gain * error + state.integral;

@@ -11,7 +11,7 @@ namespace {
 
 // Between two looks of the judge and two decisions of the driver, whichever comes first: 25 Hz, as
 // fast as people's and machines' steering answers. On the candidates of the 1.05 km slovenia route
-// that differs from looks every 5 ms no more than looks every 10 ms do (drives within 0.4 % of the
+// that differs from looks every 5 ms no more than looks every 10 ms do (drives within 0.2 % of the
 // time in the middle); at 60 ms more drives end otherwise.
 constexpr double kLookInterval = 0.04;  // [s]
 constexpr double kLookDistance = 0.2;   // [m]

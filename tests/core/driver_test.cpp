@@ -140,6 +140,17 @@ TEST(Driver, StopsAtTheEnd) {
   EXPECT_TRUE(state.arrived);
 }
 
+TEST(Driver, StandsWhenARockingVehiclesSpeedPassesZeroBetweenTwoDecisions) {
+  const Driver driver(Tm27(), Path(Points{{0, 0}, {50, 0}}), {.target_speed = 5});
+  DriverState state{.arc_length = 49.5};
+  driver.Update({{49.95, 0}, 0, 0.4}, 0.04, state);
+  EXPECT_FALSE(state.arrived);
+  driver.Update({{49.96, 0}, 0, 0.2}, 0.04, state);
+  EXPECT_FALSE(state.arrived);
+  driver.Update({{49.96, 0}, 0, -0.3}, 0.04, state);
+  EXPECT_TRUE(state.arrived);
+}
+
 TEST(Driver, WithoutAPathItGoesStraightAheadForever) {
   Driver driver(Tm27(), Path(), {.target_speed = 5});
   driver.SetStart({3, 4}, std::numbers::pi / 2);

@@ -28,7 +28,6 @@ PlanOptions SmallOptions(int candidates) {
   PlanOptions options;
   options.sampling.candidates = candidates;
   options.sampling.roadmap_nodes = 1000;
-  options.sampling.planner_iterations = 500;
   options.threads = 2;
   return options;
 }
@@ -53,7 +52,12 @@ void ExpectSound(const Terrain& terrain, const PlanRequest& request, const Candi
     last_cost = candidate.layer_cost;
     for (std::size_t i = 1; i < points.size(); ++i) {
       EXPECT_LE((points[i] - points[i - 1]).norm(), 1.0 + 1e-6);
-      EXPECT_TRUE(layer.EvaluateAnyHeading(points[i].x(), points[i].y()).go());
+    }
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+      // Of a circle through three points at equal steps, the heading at the middle one.
+      const Eigen::Vector2d ahead = points[i + 1] - points[i - 1];
+      const double heading = std::atan2(ahead.y(), ahead.x());
+      EXPECT_TRUE(layer.Evaluate(points[i].x(), points[i].y(), heading).go());
     }
   }
 }

@@ -59,6 +59,7 @@ struct DriverState {
   std::size_t stretch = 0;  ///< of the path, being driven
   double integral = 0;      ///< of the speed error [N m]
   double target_speed = 0;  ///< in force now, of either direction
+  double last_speed = 0;    ///< forward, at the last decision [m/s]
   bool arrived = false;     ///< standing at the end
   CareState care = {};
 };
@@ -80,7 +81,7 @@ class Driver {
   const PathStretch& Stretch(const DriverState& state) const;
   bool OnLastStretch(const DriverState& state) const;
   double SpeedAlongPath(const DriverView& view, const DriverState& state) const;
-  void ChangeDirection(const DriverView& view, DriverState& state) const;
+  void ChangeDirection(DriverState& state) const;
   double Steer(const DriverView& view, DriverState& state) const;
   double TargetSpeed(const DriverView& view, double dt, DriverState& state) const;
   void BuildSpeedProfile();
