@@ -39,6 +39,12 @@ struct LaneWheel {
   TireReport<double> tire;
 };
 
+/// A vehicle as its lane has it: float lanes hold these very numbers.
+struct LaneVehicle {
+  EngineState<double> state;  // positions in W, less the origin
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+};
+
 /// A pack of vehicles of one kind on one ground: the engine behind `SimulationLanes`, one class
 /// per lane type. A virtual call serves a whole control interval of all lanes, or reads one lane.
 class LaneEngine {
@@ -48,6 +54,9 @@ class LaneEngine {
   virtual int lanes() const = 0;
   /// Puts a vehicle into a lane; its positions are in W.
   virtual void SetLane(int lane, const EngineState<double>& state) = 0;
+  /// To take a vehicle from one pack to another, both where all groups of forces begin together.
+  virtual LaneVehicle Vehicle(int lane) const = 0;
+  virtual void SetVehicle(int lane, const LaneVehicle& vehicle) = 0;
   /// Steering and brakes, in force until the next call: they change less often than they act.
   virtual void Hold(int lane, const WheelControls<double>& controls) = 0;
   /// Advances by one control interval.

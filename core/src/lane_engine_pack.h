@@ -33,31 +33,40 @@ class PackEngine final : public LaneEngine {
 
   void SetLane(int lane, const EngineState<double>& state) override {
     const Vec3<double> p = state.bodies[0].p_WB;
-    const Eigen::Vector3d origin =
-        kShift * (Eigen::Vector3d(p.x, p.y, p.z) / kShift).array().round().matrix();
-    surface_.SetOrigin(lane, origin);
-    const auto local = [&](Vec3<double>& q) {
-      q.x -= origin.x(), q.y -= origin.y(), q.z -= origin.z();
+    LaneVehicle vehicle{state, {p.x, p.y, p.z}};
+    vehicle.origin = kShift * (vehicle.origin / kShift).array().round().matrix();
+    const Vec3<double> origin = Broadcast<double>(vehicle.origin);
+    for (BodyState<double>& body : vehicle.state.bodies) body.p_WB -= origin;
+    for (WheelState<double>& wheel : vehicle.state.wheels) wheel.contact.p_WH -= origin;
+    for (PointContactState<double>& contact : vehicle.state.contacts) contact.p_WG -= origin;
+    SetVehicle(lane, vehicle);
+  }
+
+  void SetVehicle(int lane, const LaneVehicle& vehicle) override {
+    surface_.SetOrigin(lane, vehicle.origin);
+    const auto set = [lane](auto& packs, const auto& numbers) {
+      for (std::size_t i = 0; i < packs.size(); ++i) SetLaneOf(packs[i], lane, numbers[i]);
     };
-    for (std::size_t i = 0; i < state.bodies.size(); ++i) {
-      BodyState<double> body = state.bodies[i];
-      local(body.p_WB);
-      SetLaneOf(state_.bodies[i], lane, body);
-    }
-    for (std::size_t i = 0; i < state.wheels.size(); ++i) {
-      WheelState<double> wheel = state.wheels[i];
-      local(wheel.contact.p_WH);
-      SetLaneOf(state_.wheels[i], lane, wheel);
-    }
-    for (std::size_t i = 0; i < state.contacts.size(); ++i) {
-      PointContactState<double> contact = state.contacts[i];
-      local(contact.p_WG);
-      SetLaneOf(state_.contacts[i], lane, contact);
-    }
-    for (std::size_t i = 0; i < state.frictions.size(); ++i) {
-      state_.frictions[i].v[lane] = static_cast<S>(state.frictions[i]);
+    set(state_.bodies, vehicle.state.bodies);
+    set(state_.wheels, vehicle.state.wheels);
+    set(state_.contacts, vehicle.state.contacts);
+    for (std::size_t i = 0; i < state_.frictions.size(); ++i) {
+      state_.frictions[i].v[lane] = static_cast<S>(vehicle.state.frictions[i]);
     }
     judged_ = false;
+  }
+
+  LaneVehicle Vehicle(int lane) const override {
+    LaneVehicle vehicle{{}, surface_.origin(lane)};
+    for (const auto& body : state_.bodies) vehicle.state.bodies.push_back(LaneOf(body, lane));
+    for (const auto& wheel : state_.wheels) vehicle.state.wheels.push_back(LaneOf(wheel, lane));
+    for (const auto& contact : state_.contacts) {
+      vehicle.state.contacts.push_back(LaneOf(contact, lane));
+    }
+    for (const Real& friction : state_.frictions) {
+      vehicle.state.frictions.push_back(friction.v[lane]);
+    }
+    return vehicle;
   }
 
   void Hold(int lane, const WheelControls<double>& controls) override {

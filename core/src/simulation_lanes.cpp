@@ -63,6 +63,7 @@ struct SimulationLanes::Impl {
   BodyState<double> Chassis(int lane) const { return engine->Body(lane, 0); }
 
   void Begin(int index);
+  void Steer(int index, const DriverCommand& command);
   void Drive(int index, const DriverCommand& command);
   void GiveOrders(int index, const DriverCommand& command);
   void Account(int index);
@@ -86,6 +87,7 @@ SimulationLanes::SimulationLanes(const VehicleModel& vehicle, const Ground& grou
     : impl_(std::make_unique<Impl>(vehicle, ground, kind)) {}
 SimulationLanes::~SimulationLanes() = default;
 SimulationLanes::SimulationLanes(SimulationLanes&&) noexcept = default;
+SimulationLanes& SimulationLanes::operator=(SimulationLanes&&) noexcept = default;
 
 int SimulationLanes::lanes() const { return static_cast<int>(impl_->lanes.size()); }
 double SimulationLanes::control_step() const { return impl_->control_step; }
@@ -106,6 +108,18 @@ void SimulationLanes::Park(int index) {
   impl_->engine->Hold(index, impl_->held);
 }
 
+bool SimulationLanes::at_period() const { return impl_->step % impl_->times.period == 0; }
+
+void SimulationLanes::TakeOver(int index, SimulationLanes& from, int from_index) {
+  DBD_ASSERT(at_period() && from.at_period());
+  Lane& lane = impl_->lanes[static_cast<std::size_t>(index)];
+  lane = from.impl_->At(from_index);
+  impl_->engine->SetVehicle(index, from.impl_->engine->Vehicle(from_index));
+  impl_->engine->Read(impl_->readings);
+  if (lane.phase == Lane::Phase::kDriving) impl_->Steer(index, lane.command);
+  from.Park(from_index);
+}
+
 bool SimulationLanes::driving(int lane) const {
   return impl_->At(lane).phase == Lane::Phase::kDriving;
 }
@@ -117,13 +131,17 @@ void SimulationLanes::Impl::Begin(int index) {
   lane.phase = lane.settling_steps > 0 ? Lane::Phase::kSettling : Lane::Phase::kDriving;
 }
 
+void SimulationLanes::Impl::Steer(int index, const DriverCommand& command) {
+  SetSteeringAndBrakes(vehicle, steering, command, controls);
+  engine->Hold(index, controls);
+  lanes[static_cast<std::size_t>(index)].command = command;
+}
+
 void SimulationLanes::Impl::Drive(int index, const DriverCommand& command) {
   Lane& lane = lanes[static_cast<std::size_t>(index)];
   const auto i = static_cast<std::size_t>(index);
   if (command.steer != lane.command.steer || command.brake != lane.command.brake) {
-    SetSteeringAndBrakes(vehicle, steering, command, controls);
-    engine->Hold(index, controls);
-    lane.command = command;
+    Steer(index, command);
   }
   orders.keep[i] = 1;
   const auto driven = static_cast<int>(times.driven_wheels.size());

@@ -33,6 +33,7 @@ struct DriveQueue {
 
   /// The next drive that nobody has taken, if any is left.
   std::optional<std::size_t> TakeNext();
+  bool empty() const { return next >= order.size(); }
 };
 
 /// In which order tasks begin on so many lanes, in all threads together: the longest first, so that
@@ -62,6 +63,7 @@ class LaneBatch {
   bool Refill(DriveQueue& queue);
   void Begin(int lane, std::size_t task, const DriveQueue& queue);
   void Serve(int lane, DriveQueue& queue);
+  void Narrow(const DriveQueue& queue);
   void CancelAll(DriveQueue& queue);
   void Finish(Slot& slot, DriveQueue& queue);
 

@@ -129,6 +129,27 @@ TEST(SimulationLanes, OrderPackingAndWidthChangeNoBit) {
   EXPECT_EQ(std::count(reference.begin(), reference.end(), reference[0]), 1);  // they do differ
 }
 
+TEST(SimulationLanes, AVehicleTakenToOtherLanesGoesOnToTheBit) {
+  const auto ground = MakeRandomGround(-50, 0.15, 0.5, 3);
+  const DriverCommand ahead{.steer = 0.1, .engine_torque = 40};
+  for (const LaneKind kind : Available(false)) {
+    SimulationLanes stays(Tm27(), *ground, kind), leaves(Tm27(), *ground, kind);
+    const std::vector<DriverCommand> commands(static_cast<std::size_t>(stays.lanes()), ahead);
+    const auto advance = [&](SimulationLanes& lanes) { lanes.Advance(commands); };
+    stays.Place(2, {1e5, 2}, 0.4, 0.5);
+    leaves.Place(2, {1e5, 2}, 0.4, 0.5);
+    for (int i = 0; i < 301 || !leaves.at_period(); ++i) advance(stays), advance(leaves);
+    SimulationLanes narrow(Tm27(), *ground, LaneKind::kFloat4);
+    narrow.TakeOver(0, leaves, 2);
+    EXPECT_FALSE(leaves.driving(2));
+    for (int i = 0; i < 200; ++i) advance(stays), narrow.Advance({ahead, ahead, ahead, ahead});
+    EXPECT_GT(stays.Chassis(2).forward_speed, 1);
+    EXPECT_EQ(narrow.StateHash(0), stays.StateHash(2)) << LaneKindName(kind);
+    EXPECT_EQ(narrow.time(0), stays.time(2));
+    EXPECT_EQ(narrow.drive_energy(0), stays.drive_energy(2));
+  }
+}
+
 /// Largest differences from the reference, over the ends of all drives.
 struct Differences {
   double position = 0, angle = 0, energy = 0;

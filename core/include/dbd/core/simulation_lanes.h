@@ -38,6 +38,7 @@ class SimulationLanes {
                   LaneKind kind = LaneKind::kFloat);
   ~SimulationLanes();
   SimulationLanes(SimulationLanes&&) noexcept;
+  SimulationLanes& operator=(SimulationLanes&&) noexcept;
 
   int lanes() const;
   double control_step() const;
@@ -47,6 +48,12 @@ class SimulationLanes {
   void Place(int lane, const Eigen::Vector2d& position, double heading, double settle_time = 1.0);
   /// Takes the vehicle out of a lane.
   void Park(int lane);
+  /// Whether vehicles can be taken to other lanes now: all groups of forces begin together.
+  bool at_period() const;
+  /// Takes a vehicle over from lanes of the same number type with the same vehicle and ground, of
+  /// any width. It goes on as it would have there, to the bit, but can only be observed after the
+  /// next Advance. Both must be `at_period`.
+  void TakeOver(int lane, SimulationLanes& from, int from_lane);
   /// Whether a vehicle is there and has settled: its command counts.
   bool driving(int lane) const;
 
