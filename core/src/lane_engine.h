@@ -45,6 +45,9 @@ struct LaneVehicle {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
 };
 
+/// Origins move by whole multiples of this [m]: subtracting those is exact.
+inline constexpr double kOriginShift = 8;
+
 /// A pack of vehicles of one kind on one ground: the engine behind `SimulationLanes`, one class
 /// per lane type. A virtual call serves a whole control interval of all lanes, or reads one lane.
 class LaneEngine {
@@ -52,11 +55,11 @@ class LaneEngine {
   virtual ~LaneEngine();  // in a translation unit for any processor
 
   virtual int lanes() const = 0;
-  /// Puts a vehicle into a lane; its positions are in W.
-  virtual void SetLane(int lane, const EngineState<double>& state) = 0;
-  /// To take a vehicle from one pack to another, both where all groups of forces begin together.
-  virtual LaneVehicle Vehicle(int lane) const = 0;
+  /// Puts a vehicle into a lane, whose origin must be near it.
   virtual void SetVehicle(int lane, const LaneVehicle& vehicle) = 0;
+  /// Writes the lane's numbers over those of a vehicle of the same kind. As forces may be held
+  /// from step to step, they are all of it only where all groups begin together.
+  virtual void CopyVehicle(int lane, LaneVehicle& vehicle) const = 0;
   /// Steering and brakes, in force until the next call: they change less often than they act.
   virtual void Hold(int lane, const WheelControls<double>& controls) = 0;
   /// Advances by one control interval.

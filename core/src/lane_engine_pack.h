@@ -14,7 +14,7 @@
 namespace dbd {
 
 /// The engine on packs of numbers. Every lane has its own origin near its vehicle, moved on as the
-/// vehicle moves, by whole multiples of 8 m: subtracting those is exact.
+/// vehicle moves.
 template <class Real>
 class PackEngine final : public LaneEngine {
  public:
@@ -31,17 +31,6 @@ class PackEngine final : public LaneEngine {
 
   int lanes() const override { return kLanes; }
 
-  void SetLane(int lane, const EngineState<double>& state) override {
-    const Vec3<double> p = state.bodies[0].p_WB;
-    LaneVehicle vehicle{state, {p.x, p.y, p.z}};
-    vehicle.origin = kShift * (vehicle.origin / kShift).array().round().matrix();
-    const Vec3<double> origin = Broadcast<double>(vehicle.origin);
-    for (BodyState<double>& body : vehicle.state.bodies) body.p_WB -= origin;
-    for (WheelState<double>& wheel : vehicle.state.wheels) wheel.contact.p_WH -= origin;
-    for (PointContactState<double>& contact : vehicle.state.contacts) contact.p_WG -= origin;
-    SetVehicle(lane, vehicle);
-  }
-
   void SetVehicle(int lane, const LaneVehicle& vehicle) override {
     surface_.SetOrigin(lane, vehicle.origin);
     const auto set = [lane](auto& packs, const auto& numbers) {
@@ -56,17 +45,17 @@ class PackEngine final : public LaneEngine {
     judged_ = false;
   }
 
-  LaneVehicle Vehicle(int lane) const override {
-    LaneVehicle vehicle{{}, surface_.origin(lane)};
-    for (const auto& body : state_.bodies) vehicle.state.bodies.push_back(LaneOf(body, lane));
-    for (const auto& wheel : state_.wheels) vehicle.state.wheels.push_back(LaneOf(wheel, lane));
-    for (const auto& contact : state_.contacts) {
-      vehicle.state.contacts.push_back(LaneOf(contact, lane));
+  void CopyVehicle(int lane, LaneVehicle& vehicle) const override {
+    vehicle.origin = surface_.origin(lane);
+    const auto copy = [lane](const auto& packs, auto& numbers) {
+      for (std::size_t i = 0; i < packs.size(); ++i) numbers[i] = LaneOf(packs[i], lane);
+    };
+    copy(state_.bodies, vehicle.state.bodies);
+    copy(state_.wheels, vehicle.state.wheels);
+    copy(state_.contacts, vehicle.state.contacts);
+    for (std::size_t i = 0; i < state_.frictions.size(); ++i) {
+      vehicle.state.frictions[i] = state_.frictions[i].v[lane];
     }
-    for (const Real& friction : state_.frictions) {
-      vehicle.state.frictions.push_back(friction.v[lane]);
-    }
-    return vehicle;
   }
 
   void Hold(int lane, const WheelControls<double>& controls) override {
@@ -155,8 +144,6 @@ class PackEngine final : public LaneEngine {
   }
 
  private:
-  static constexpr double kShift = 8;  // [m]
-
   void ToWorld(int lane, Vec3<double>& p) const {
     const Eigen::Vector3d& origin = surface_.origin(lane);
     p.x += origin.x(), p.y += origin.y(), p.z += origin.z();
@@ -201,10 +188,11 @@ class PackEngine final : public LaneEngine {
 
   void MoveOrigins() {
     const Vec3<Real>& p = state_.bodies[0].p_WB;
-    const Real shift{S(kShift)};
+    const Real shift{S(kOriginShift)};
     if (!AnyOf(Abs(p.x) > shift) && !AnyOf(Abs(p.y) > shift) && !AnyOf(Abs(p.z) > shift)) return;
     const auto of = [&](const Real& x) {
-      return Select(x > shift, shift, Select(x < Real(S(-kShift)), Real(S(-kShift)), Real(S(0))));
+      return Select(x > shift, shift,
+                    Select(x < Real(S(-kOriginShift)), Real(S(-kOriginShift)), Real(S(0))));
     };
     const Vec3<Real> move{of(p.x), of(p.y), of(p.z)};
     for (BodyState<Real>& body : state_.bodies) body.p_WB -= move;

@@ -44,6 +44,11 @@ class LanePatch {
     SetPlane(h, base_height);
   }
 
+  /// Whether it lies around this node, in every lane.
+  bool IsAround(const Real& column, const Real& row) const {
+    return !AnyOf(Max(Abs(column - x_.node), Abs(row - y_.node)) > Real(S(0)));
+  }
+
   void Heights(int count, const Real* x, const Real* y, Real* z) const {
     for (int i = 0; i < count; ++i) z[i] = Height(x[i], y[i]);
   }

@@ -34,7 +34,7 @@ class LaneSurface {
     origins_[lane] = origin;
     if (grid_) lane_grid_.SetOrigin(*grid_, lane, origin);
     for (LaneFacets<Real>& facets : wheel_facets_) facets.Forget(lane);
-    for (KeptPatch& kept : wheel_patches_) kept.patch.reset();
+    for (auto& patch : wheel_patches_) patch.reset();
   }
 
   void Heights(int count, const Real* x, const Real* y, Real* z) const {
@@ -61,12 +61,10 @@ class LaneSurface {
   const LanePatch<Real>* Patch(std::size_t wheel, double radius, const Real& x,
                                const Real& y) const {
     if (!grid_ || !LaneGrid<Real>::CellsHold(*grid_, radius)) return nullptr;
-    KeptPatch& kept = wheel_patches_[wheel];
+    std::optional<LanePatch<Real>>& patch = wheel_patches_[wheel];
     const Real column = lane_grid_.NearestColumn(x), row = lane_grid_.NearestRow(y);
-    if (!kept.patch || AnyOf(Max(Abs(column - kept.column), Abs(row - kept.row)) > Real(S(0)))) {
-      kept = {column, row, lane_grid_.Patch(*grid_, column, row)};
-    }
-    return &*kept.patch;
+    if (!patch || !patch->IsAround(column, row)) patch = lane_grid_.Patch(*grid_, column, row);
+    return &*patch;
   }
 
   /// Heights around a wheel, on triangles.
@@ -114,11 +112,6 @@ class LaneSurface {
   }
 
  private:
-  struct KeptPatch {
-    Real column{S(0)}, row{S(0)};  // of its middle node
-    std::optional<LanePatch<Real>> patch;
-  };
-
   void ToWorld(const Real& x, const Real& y, double* wx, double* wy) const {
     S lx[kLanes], ly[kLanes];
     LaneTraits<Real>::Store(x, lx);
@@ -169,7 +162,7 @@ class LaneSurface {
   LaneGrid<Real> lane_grid_;
   // A surface belongs to one pack.
   mutable std::vector<LaneFacets<Real>> wheel_facets_;
-  mutable std::vector<KeptPatch> wheel_patches_;
+  mutable std::vector<std::optional<LanePatch<Real>>> wheel_patches_;
 };
 
 }  // namespace dbd

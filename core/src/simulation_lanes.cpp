@@ -2,6 +2,7 @@
 #include <dbd/core/simulation_lanes.h>
 
 #include <cmath>
+#include <utility>
 
 #include "initial_state.h"
 #include "lane_engine.h"
@@ -16,7 +17,7 @@ namespace {
 struct Lane {
   enum class Phase { kEmpty, kWaiting, kSettling, kDriving };
   Phase phase = Phase::kEmpty;
-  EngineState<double> start;        // while waiting
+  LaneVehicle start;                // while waiting
   std::int64_t settling_steps = 0;  // still to come
   std::int64_t steps = 0;           // driven
   double energy = 0;
@@ -38,6 +39,18 @@ EngineState<double> DesignState(const VehicleModel& vehicle) {
   return state;
 }
 
+/// From positions in W.
+LaneVehicle InLane(EngineState<double> state) {
+  LaneVehicle vehicle{std::move(state)};
+  const Vec3<double> p = vehicle.state.bodies[0].p_WB;
+  vehicle.origin = kOriginShift * (Eigen::Vector3d(p.x, p.y, p.z) / kOriginShift).array().round();
+  const Vec3<double> origin = Broadcast<double>(vehicle.origin);
+  for (BodyState<double>& body : vehicle.state.bodies) body.p_WB -= origin;
+  for (WheelState<double>& wheel : vehicle.state.wheels) wheel.contact.p_WH -= origin;
+  for (PointContactState<double>& contact : vehicle.state.contacts) contact.p_WG -= origin;
+  return vehicle;
+}
+
 }  // namespace
 
 struct SimulationLanes::Impl {
@@ -53,7 +66,7 @@ struct SimulationLanes::Impl {
     if (!engine) throw InputError("this processor has no lanes of " + LaneKindName(kind));
     lanes.resize(static_cast<std::size_t>(engine->lanes()));
     for (int i = 0; i < engine->lanes(); ++i) {
-      engine->SetLane(i, DesignState(model));
+      engine->SetVehicle(i, InLane(DesignState(model)));
       engine->Hold(i, held);
     }
   }
@@ -98,7 +111,7 @@ void SimulationLanes::Place(int index, const Eigen::Vector2d& position, double h
   Lane& lane = impl_->lanes[static_cast<std::size_t>(index)];
   lane = Lane();
   lane.phase = Lane::Phase::kWaiting;
-  lane.start = InitialState<double>(impl_->vehicle, impl_->ground, position, heading);
+  lane.start = InLane(InitialState<double>(impl_->vehicle, impl_->ground, position, heading));
   lane.settling_steps = impl_->times.SettlingSteps(settle_time);
   impl_->engine->Hold(index, impl_->held);
 }
@@ -114,7 +127,9 @@ void SimulationLanes::TakeOver(int index, SimulationLanes& from, int from_index)
   DBD_ASSERT(at_period() && from.at_period());
   Lane& lane = impl_->lanes[static_cast<std::size_t>(index)];
   lane = from.impl_->At(from_index);
-  impl_->engine->SetVehicle(index, from.impl_->engine->Vehicle(from_index));
+  LaneVehicle vehicle{DesignState(impl_->vehicle)};
+  from.impl_->engine->CopyVehicle(from_index, vehicle);
+  impl_->engine->SetVehicle(index, vehicle);
   impl_->engine->Read(impl_->readings);
   if (lane.phase == Lane::Phase::kDriving) impl_->Steer(index, lane.command);
   from.Park(from_index);
@@ -126,7 +141,7 @@ bool SimulationLanes::driving(int lane) const {
 
 void SimulationLanes::Impl::Begin(int index) {
   Lane& lane = lanes[static_cast<std::size_t>(index)];
-  engine->SetLane(index, lane.start);
+  engine->SetVehicle(index, lane.start);
   engine->Read(readings);
   lane.phase = lane.settling_steps > 0 ? Lane::Phase::kSettling : Lane::Phase::kDriving;
 }
