@@ -45,6 +45,14 @@ struct LaneVehicle {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
 };
 
+/// Positions are seen from an origin that lies `by` from the one before.
+template <class Real>
+void MoveOrigin(const Vec3<Real>& by, EngineState<Real>& state) {
+  for (BodyState<Real>& body : state.bodies) body.p_WB -= by;
+  for (WheelState<Real>& wheel : state.wheels) wheel.contact.p_WH -= by;
+  for (PointContactState<Real>& contact : state.contacts) contact.p_WG -= by;
+}
+
 /// Origins move by whole multiples of this [m]: subtracting those is exact.
 inline constexpr double kOriginShift = 8;
 

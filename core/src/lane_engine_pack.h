@@ -195,9 +195,7 @@ class PackEngine final : public LaneEngine {
                     Select(x < Real(S(-kOriginShift)), Real(S(-kOriginShift)), Real(S(0))));
     };
     const Vec3<Real> move{of(p.x), of(p.y), of(p.z)};
-    for (BodyState<Real>& body : state_.bodies) body.p_WB -= move;
-    for (WheelState<Real>& wheel : state_.wheels) wheel.contact.p_WH -= move;
-    for (PointContactState<Real>& contact : state_.contacts) contact.p_WG -= move;
+    MoveOrigin(move, state_);
     for (int lane = 0; lane < kLanes; ++lane) {
       const Eigen::Vector3d by(move.x.v[lane], move.y.v[lane], move.z.v[lane]);
       if (!by.isZero()) surface_.SetOrigin(lane, surface_.origin(lane) + by);

@@ -44,10 +44,7 @@ LaneVehicle InLane(EngineState<double> state) {
   LaneVehicle vehicle{std::move(state)};
   const Vec3<double> p = vehicle.state.bodies[0].p_WB;
   vehicle.origin = kOriginShift * (Eigen::Vector3d(p.x, p.y, p.z) / kOriginShift).array().round();
-  const Vec3<double> origin = Broadcast<double>(vehicle.origin);
-  for (BodyState<double>& body : vehicle.state.bodies) body.p_WB -= origin;
-  for (WheelState<double>& wheel : vehicle.state.wheels) wheel.contact.p_WH -= origin;
-  for (PointContactState<double>& contact : vehicle.state.contacts) contact.p_WG -= origin;
+  MoveOrigin(Broadcast<double>(vehicle.origin), vehicle.state);
   return vehicle;
 }
 
@@ -131,7 +128,7 @@ void SimulationLanes::TakeOver(int index, SimulationLanes& from, int from_index)
   from.impl_->engine->CopyVehicle(from_index, vehicle);
   impl_->engine->SetVehicle(index, vehicle);
   impl_->engine->Read(impl_->readings);
-  if (lane.phase == Lane::Phase::kDriving) impl_->Steer(index, lane.command);
+  impl_->Steer(index, lane.command);
   from.Park(from_index);
 }
 

@@ -66,9 +66,7 @@ DriverCommand DriveSession::Decide(const VehicleSnapshot& snapshot) {
 }
 
 int DriveSession::StepsToLook(double speed) const {
-  const double interval = std::abs(speed) * kLookInterval > kLookDistance
-                              ? kLookDistance / std::abs(speed)
-                              : kLookInterval;
+  const double interval = std::min(kLookInterval, kLookDistance / std::abs(speed));
   return std::max(1, static_cast<int>(interval / control_step_ + 0.5));
 }
 

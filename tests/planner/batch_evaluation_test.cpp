@@ -75,7 +75,7 @@ TEST(EvaluateRollouts, LanesAndReferenceAgreeOnEveryOutcome) {
   int reached = 0;
   for (std::size_t i = 0; i < lanes.size(); ++i) {
     EXPECT_EQ(lanes[i].outcome, reference[i].outcome) << i;
-    EXPECT_NEAR(lanes[i].time, reference[i].time, 0.041) << i;  // one look of 40 ms
+    EXPECT_NEAR(lanes[i].time, reference[i].time, 0.021) << i;  // half a look
     EXPECT_LT((lanes[i].place - reference[i].place).norm(), 0.1) << i;
     reached += lanes[i].outcome == Outcome::kReached;
   }
