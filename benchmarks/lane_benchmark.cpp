@@ -46,10 +46,10 @@ void Register(const std::string& name, int millimetres) {
       ->Unit(benchmark::kMillisecond);
   benchmark::RegisterBenchmark(("DriveWheelLanes/" + where).c_str(), Alone, name, millimetres, true)
       ->Unit(benchmark::kMillisecond);
-  for (const LaneKind kind : {LaneKind::kFloat16, LaneKind::kFloat8, LaneKind::kFloat4,
+  for (const LaneKind kind : {LaneKind::kFloat16, LaneKind::kFloat8, LaneKind::kFloat4Plain,
                               LaneKind::kDouble8, LaneKind::kDouble4}) {
     std::string lanes = LaneKindName(kind);
-    std::erase(lanes, ' ');
+    std::erase_if(lanes, [](char c) { return c == ' ' || c == ','; });
     benchmark::RegisterBenchmark(("DriveLanes/" + where + "/" + lanes).c_str(), Lanes, name,
                                  millimetres, kind)
         ->Unit(benchmark::kMillisecond);

@@ -40,8 +40,8 @@ struct Kind {
 };
 
 constexpr Kind kKinds[] = {
-    {RooflineKind::kScalar, "double", LaneKind::kFloat4},
-    {RooflineKind::kFloat4, "floatx4", LaneKind::kFloat4},
+    {RooflineKind::kScalar, "double", LaneKind::kFloat4Plain},
+    {RooflineKind::kFloat4, "floatx4", LaneKind::kFloat4Plain},
     {RooflineKind::kFloat8, "floatx8", LaneKind::kFloat8},
     {RooflineKind::kFloat16, "floatx16", LaneKind::kFloat16},
     {RooflineKind::kDouble8, "doublex8", LaneKind::kDouble8},

@@ -86,7 +86,7 @@ Real StopForce(const BumpStop& stop, const Real& length, const Real& rate) {
     const Real u = Max(squeezed, zero);
     const Real elastic =
         ToLanes<Real>(stop.stiffness) * u * (Real(1) + ToLanes<Real>(StiffnessGrowth(stop)) * u);
-    return Clamp(elastic + ToLanes<Real>(stop.damping) * squeezing, zero, Real(2) * elastic);
+    return Clamp(elastic + ToLanes<Real>(stop.damping) * squeezing, zero, elastic + elastic);
   };
   return push(ToLanes<Real>(stop.shortest_length) - length, Real(-1) * rate) -
          push(length - ToLanes<Real>(stop.longest_length), rate);
@@ -99,7 +99,7 @@ Real StrutForce(const Spring& spring, const Real& length, const Real& rate) {
   const Real elastic = spring.force_curve.given() ? EvaluateCurve(spring.force_curve, deflection)
                                                   : ToLanes<Real>(spring.stiffness) * deflection;
   const Real viscous = spring.damping_curve.given()
-                           ? EvaluateCurve(spring.damping_curve, Real(-1) * rate)
+                           ? EvaluateCurve<Real>(spring.damping_curve, Real(-1) * rate)
                            : ToLanes<Real>(-spring.damping) * rate;
   if (!HasStops(spring)) return elastic + viscous;
   return elastic + viscous + StopForce(spring.bump_stop, length, rate);
@@ -113,7 +113,8 @@ Vec3<Real> SpringPush(const Spring& spring, const BodyPoint<Real>& ball, Real& f
   const Vec3<Real> d = f * ball.p + (g * Broadcast<Real>(spring.p_Q) - Broadcast<Real>(spring.p_A));
   const Real length = Norm(d);
   const Vec3<Real> direction = (Real(1) / length) * d;
-  force = StrutForce(spring, length, f * Dot(ball.v, direction));
+  const Real rate = f * Dot(ball.v, direction);
+  force = StrutForce(spring, length, rate);
   return force * direction;
 }
 

@@ -6,9 +6,9 @@ namespace dbd {
 namespace {
 
 #ifdef DBD_WIDE_LANES
-bool HasAvx2() { return __builtin_cpu_supports("avx2"); }
+bool HasAvx2() { return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"); }
 bool HasAvx512() {
-  return __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
+  return HasAvx2() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
          __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
 }
 #else
@@ -19,7 +19,7 @@ bool HasAvx512() { return false; }
 LaneKind Widest(bool doubles) {
   if (HasAvx512()) return doubles ? LaneKind::kDouble8 : LaneKind::kFloat16;
   if (HasAvx2()) return doubles ? LaneKind::kDouble4 : LaneKind::kFloat8;
-  return doubles ? LaneKind::kDouble2 : LaneKind::kFloat4;
+  return doubles ? LaneKind::kDouble2 : LaneKind::kFloat4Plain;
 }
 
 }  // namespace
@@ -28,7 +28,9 @@ LaneEngine::~LaneEngine() = default;
 
 bool LaneKindAvailable(LaneKind kind) {
   if (kind == LaneKind::kFloat16 || kind == LaneKind::kDouble8) return HasAvx512();
-  if (kind == LaneKind::kFloat8 || kind == LaneKind::kDouble4) return HasAvx2();
+  if (kind == LaneKind::kFloat8 || kind == LaneKind::kFloat4 || kind == LaneKind::kDouble4) {
+    return HasAvx2();
+  }
   return true;
 }
 
@@ -44,6 +46,8 @@ std::string LaneKindName(LaneKind kind) {
       return "float x 8";
     case LaneKind::kFloat4:
       return "float x 4";
+    case LaneKind::kFloat4Plain:
+      return "float x 4, plain";
     case LaneKind::kDouble8:
       return "double x 8";
     case LaneKind::kDouble4:
@@ -63,13 +67,14 @@ std::unique_ptr<LaneEngine> MakeLaneEngine(LaneKind kind, const VehicleModel& ve
       return MakeLaneEngine(Widest(kind == LaneKind::kDouble), vehicle, ground);
     case LaneKind::kFloat16:
     case LaneKind::kDouble8:
-      return MakeAvx512Lanes(kind == LaneKind::kDouble8, vehicle, ground);
+      return MakeAvx512Lanes(kind, vehicle, ground);
     case LaneKind::kFloat8:
-    case LaneKind::kDouble4:
-      return MakeAvx2Lanes(kind == LaneKind::kDouble4, vehicle, ground);
     case LaneKind::kFloat4:
+    case LaneKind::kDouble4:
+      return MakeAvx2Lanes(kind, vehicle, ground);
+    case LaneKind::kFloat4Plain:
     case LaneKind::kDouble2:
-      return MakePortableLanes(kind == LaneKind::kDouble2, vehicle, ground);
+      return MakePortableLanes(kind, vehicle, ground);
   }
   return nullptr;
 }

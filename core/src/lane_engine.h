@@ -90,11 +90,11 @@ std::unique_ptr<LaneEngine> MakeLaneEngine(LaneKind kind, const VehicleModel& ve
                                            const Ground& ground);
 
 // One per instruction set, in translation units of their own.
-std::unique_ptr<LaneEngine> MakePortableLanes(bool doubles, const VehicleModel& vehicle,
+std::unique_ptr<LaneEngine> MakePortableLanes(LaneKind kind, const VehicleModel& vehicle,
                                               const Ground& ground);
-std::unique_ptr<LaneEngine> MakeAvx2Lanes(bool doubles, const VehicleModel& vehicle,
+std::unique_ptr<LaneEngine> MakeAvx2Lanes(LaneKind kind, const VehicleModel& vehicle,
                                           const Ground& ground);
-std::unique_ptr<LaneEngine> MakeAvx512Lanes(bool doubles, const VehicleModel& vehicle,
+std::unique_ptr<LaneEngine> MakeAvx512Lanes(LaneKind kind, const VehicleModel& vehicle,
                                             const Ground& ground);
 
 }  // namespace dbd

@@ -2,15 +2,18 @@
 
 #ifdef DBD_WIDE_LANES
 #define DBD_PACK_TARGET 2
-#pragma GCC target("avx2")
+#pragma GCC target("avx2,fma")
 #include "corner_engine_pack.h"
 #include "lane_engine_pack.h"
 
 namespace dbd {
 
-std::unique_ptr<LaneEngine> MakeAvx2Lanes(bool doubles, const VehicleModel& vehicle,
+std::unique_ptr<LaneEngine> MakeAvx2Lanes(LaneKind kind, const VehicleModel& vehicle,
                                           const Ground& ground) {
-  if (doubles) return std::make_unique<PackEngine<Pack<double, 4>>>(vehicle, ground);
+  if (kind == LaneKind::kDouble4)
+    return std::make_unique<PackEngine<Pack<double, 4>>>(vehicle, ground);
+  if (kind == LaneKind::kFloat4)
+    return std::make_unique<PackEngine<Pack<float, 4>>>(vehicle, ground);
   return std::make_unique<PackEngine<Pack<float, 8>>>(vehicle, ground);
 }
 
@@ -26,7 +29,7 @@ std::unique_ptr<CornerEngine> MakeAvx2Corners(const EngineModel& engine, const C
 
 namespace dbd {
 
-std::unique_ptr<LaneEngine> MakeAvx2Lanes(bool, const VehicleModel&, const Ground&) {
+std::unique_ptr<LaneEngine> MakeAvx2Lanes(LaneKind, const VehicleModel&, const Ground&) {
   return nullptr;
 }
 

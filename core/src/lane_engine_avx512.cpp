@@ -2,15 +2,16 @@
 
 #ifdef DBD_WIDE_LANES
 #define DBD_PACK_TARGET 512
-#pragma GCC target("avx512f,avx512vl,avx512dq,avx512bw")
+#pragma GCC target("fma,avx512f,avx512vl,avx512dq,avx512bw")
 #include "corner_engine_pack.h"
 #include "lane_engine_pack.h"
 
 namespace dbd {
 
-std::unique_ptr<LaneEngine> MakeAvx512Lanes(bool doubles, const VehicleModel& vehicle,
+std::unique_ptr<LaneEngine> MakeAvx512Lanes(LaneKind kind, const VehicleModel& vehicle,
                                             const Ground& ground) {
-  if (doubles) return std::make_unique<PackEngine<Pack<double, 8>>>(vehicle, ground);
+  if (kind == LaneKind::kDouble8)
+    return std::make_unique<PackEngine<Pack<double, 8>>>(vehicle, ground);
   return std::make_unique<PackEngine<Pack<float, 16>>>(vehicle, ground);
 }
 
@@ -26,7 +27,7 @@ std::unique_ptr<CornerEngine> MakeAvx512Corners(const EngineModel& engine, const
 
 namespace dbd {
 
-std::unique_ptr<LaneEngine> MakeAvx512Lanes(bool, const VehicleModel&, const Ground&) {
+std::unique_ptr<LaneEngine> MakeAvx512Lanes(LaneKind, const VehicleModel&, const Ground&) {
   return nullptr;
 }
 

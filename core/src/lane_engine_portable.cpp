@@ -3,9 +3,10 @@
 
 namespace dbd {
 
-std::unique_ptr<LaneEngine> MakePortableLanes(bool doubles, const VehicleModel& vehicle,
+std::unique_ptr<LaneEngine> MakePortableLanes(LaneKind kind, const VehicleModel& vehicle,
                                               const Ground& ground) {
-  if (doubles) return std::make_unique<PackEngine<Pack<double, 2>>>(vehicle, ground);
+  if (kind == LaneKind::kDouble2)
+    return std::make_unique<PackEngine<Pack<double, 2>>>(vehicle, ground);
   return std::make_unique<PackEngine<Pack<float, 4>>>(vehicle, ground);
 }
 

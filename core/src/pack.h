@@ -15,9 +15,10 @@
 namespace dbd {
 
 // Packs of numbers for the engine's templates, on the compiler's vector types: one source for every
-// instruction set, and every lane goes through the same operations whatever the width. With
-// contraction to fused multiply-adds off (see cmake/dbd_target.cmake), a vehicle therefore drives
-// bit by bit the same in packs of 4, 8 or 16.
+// instruction set, and every lane goes through the same operations whatever the width. The compiler
+// must not contract products and sums as it sees fit (see cmake/dbd_target.cmake): which are one
+// operation is written in the types below. A vehicle therefore drives bit by bit the same in packs
+// of 4, 8 or 16.
 
 /// Which instruction set this translation unit compiles packs for. It is a part of their type: a
 /// function over packs that is compiled in two translation units is then two functions, and the
@@ -44,22 +45,77 @@ requires(N * sizeof(T) >= 32) struct PackMask<T, N, 512> {
   std::conditional_t<N == 16, std::uint16_t, std::uint8_t> bits;
 };
 
+/// a times b, not rounded yet: a sum takes both factors into one fused multiply-add, whoever else
+/// uses it gets the number.
+template <class P>
+struct Product {
+  typedef typename P::Vector Vector;
+  Vector a, b;
+  [[gnu::always_inline]] inline operator P() const { return P(a * b); }
+};
+
 template <class T, int N, int kTarget = DBD_PACK_TARGET>
 struct alignas(N * sizeof(T)) Pack {
   typedef T Vector __attribute__((vector_size(N * sizeof(T))));
   typedef LaneInteger<T> Integers __attribute__((vector_size(N * sizeof(T))));
+  /// Every processor with AVX2 that this is compiled for has fused multiply-adds too.
+  using Times = std::conditional_t<kTarget >= 2, Product<Pack>, Pack>;
 
   Pack() = default;
   explicit Pack(T all) : v(all - Vector{}) {}
   explicit Pack(const Vector& lanes) : v(lanes) {}
 
-  Pack& operator+=(const Pack& b) {
-    v += b.v;
-    return *this;
+  Pack& operator+=(const Pack& b) { return *this = *this + b; }
+  Pack& operator-=(const Pack& b) { return *this = *this - b; }
+  Pack& operator+=(const Product<Pack>& b) { return *this = *this + b; }
+  Pack& operator-=(const Product<Pack>& b) { return *this = *this - b; }
+
+  // Friends, so that products convert to either side.
+  [[gnu::always_inline]] friend inline Pack operator+(const Pack& a, const Pack& b) {
+    return Pack(a.v + b.v);
   }
-  Pack& operator-=(const Pack& b) {
-    v -= b.v;
-    return *this;
+  [[gnu::always_inline]] friend inline Pack operator-(const Pack& a, const Pack& b) {
+    return Pack(a.v - b.v);
+  }
+  [[gnu::always_inline]] friend inline Pack operator/(const Pack& a, const Pack& b) {
+    return Pack(a.v / b.v);
+  }
+  [[gnu::always_inline]] friend inline Pack operator-(const Pack& a) { return Pack(-a.v); }
+  [[gnu::always_inline]] friend inline Times operator*(const Pack& a, const Pack& b) {
+    if constexpr (kTarget >= 2) {
+      return {a.v, b.v};
+    } else {
+      return Pack(a.v * b.v);
+    }
+  }
+
+  // With a constant, for numbers of the model.
+  [[gnu::always_inline]] friend inline Pack operator+(T a, const Pack& b) { return Pack(a) + b; }
+  [[gnu::always_inline]] friend inline Pack operator-(T a, const Pack& b) { return Pack(a) - b; }
+  [[gnu::always_inline]] friend inline Pack operator/(T a, const Pack& b) { return Pack(a) / b; }
+  [[gnu::always_inline]] friend inline Pack operator/(const Pack& a, T b) { return a / Pack(b); }
+  [[gnu::always_inline]] friend inline Times operator*(T a, const Pack& b) { return Pack(a) * b; }
+  [[gnu::always_inline]] friend inline Times operator*(const Pack& a, T b) { return a * Pack(b); }
+
+  [[gnu::always_inline]] friend inline Pack operator+(const Product<Pack>& p, const Pack& c) {
+    return MultiplyAdd(Pack(p.a), Pack(p.b), c);
+  }
+  [[gnu::always_inline]] friend inline Pack operator+(const Pack& c, const Product<Pack>& p) {
+    return MultiplyAdd(Pack(p.a), Pack(p.b), c);
+  }
+  [[gnu::always_inline]] friend inline Pack operator-(const Product<Pack>& p, const Pack& c) {
+    return MultiplyAdd(Pack(p.a), Pack(p.b), -c);
+  }
+  [[gnu::always_inline]] friend inline Pack operator-(const Pack& c, const Product<Pack>& p) {
+    return MultiplyAdd(Pack(-p.a), Pack(p.b), c);
+  }
+  [[gnu::always_inline]] friend inline Pack operator+(const Product<Pack>& p,
+                                                      const Product<Pack>& q) {
+    return p + Pack(q);
+  }
+  [[gnu::always_inline]] friend inline Pack operator-(const Product<Pack>& p,
+                                                      const Product<Pack>& q) {
+    return p - Pack(q);
   }
 
   Vector v;
@@ -80,22 +136,6 @@ struct LaneTraits<Pack<T, N>> {
 };
 
 template <class T, int N>
-Pack<T, N> operator+(const Pack<T, N>& a, const Pack<T, N>& b) {
-  return Pack<T, N>(a.v + b.v);
-}
-template <class T, int N>
-Pack<T, N> operator-(const Pack<T, N>& a, const Pack<T, N>& b) {
-  return Pack<T, N>(a.v - b.v);
-}
-template <class T, int N>
-Pack<T, N> operator*(const Pack<T, N>& a, const Pack<T, N>& b) {
-  return Pack<T, N>(a.v * b.v);
-}
-template <class T, int N>
-Pack<T, N> operator/(const Pack<T, N>& a, const Pack<T, N>& b) {
-  return Pack<T, N>(a.v / b.v);
-}
-template <class T, int N>
 PackMask<T, N> operator<(const Pack<T, N>& a, const Pack<T, N>& b) {
   return {a.v < b.v};
 }
@@ -104,35 +144,6 @@ PackMask<T, N> operator>(const Pack<T, N>& a, const Pack<T, N>& b) {
   return {a.v > b.v};
 }
 
-// With a constant, for numbers of the model.
-template <class T, int N>
-Pack<T, N> operator+(std::type_identity_t<T> a, const Pack<T, N>& b) {
-  return Pack<T, N>(a + b.v);
-}
-template <class T, int N>
-Pack<T, N> operator-(std::type_identity_t<T> a, const Pack<T, N>& b) {
-  return Pack<T, N>(a - b.v);
-}
-template <class T, int N>
-Pack<T, N> operator*(std::type_identity_t<T> a, const Pack<T, N>& b) {
-  return Pack<T, N>(a * b.v);
-}
-template <class T, int N>
-Pack<T, N> operator/(std::type_identity_t<T> a, const Pack<T, N>& b) {
-  return Pack<T, N>(a / b.v);
-}
-template <class T, int N>
-Pack<T, N> operator*(const Pack<T, N>& a, std::type_identity_t<T> b) {
-  return Pack<T, N>(a.v * b);
-}
-template <class T, int N>
-Pack<T, N> operator/(const Pack<T, N>& a, std::type_identity_t<T> b) {
-  return Pack<T, N>(a.v / b);
-}
-template <class T, int N>
-Pack<T, N> operator-(const Pack<T, N>& a) {
-  return Pack<T, N>(-a.v);
-}
 template <class T, int N>
 void SetNumber(Pack<T, N>& pack, int lane, double value) {
   pack.v[lane] = static_cast<T>(value);
@@ -242,6 +253,15 @@ Pack<T, N> Cbrt(const Pack<T, N>& a) {
   }
   const P least(T(1e-30));
   return Select(a > least, x, P(T(0)));
+}
+
+template <class P>
+P Abs(const Product<P>& p) {
+  return Abs(P(p));
+}
+template <class P>
+P Exp(const Product<P>& p) {
+  return Exp(P(p));
 }
 
 }  // namespace dbd

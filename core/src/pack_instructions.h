@@ -35,6 +35,21 @@ inline bool AnyOf(const PackMask<double, 2>& mask) {
 #endif
 
 #if DBD_PACK_TARGET >= 2
+[[gnu::always_inline]] inline Pack<float, 4> MultiplyAdd(const Pack<float, 4>& a,
+                                                         const Pack<float, 4>& b,
+                                                         const Pack<float, 4>& c) {
+  return Pack<float, 4>(_mm_fmadd_ps(a.v, b.v, c.v));
+}
+[[gnu::always_inline]] inline Pack<float, 8> MultiplyAdd(const Pack<float, 8>& a,
+                                                         const Pack<float, 8>& b,
+                                                         const Pack<float, 8>& c) {
+  return Pack<float, 8>(_mm256_fmadd_ps(a.v, b.v, c.v));
+}
+[[gnu::always_inline]] inline Pack<double, 4> MultiplyAdd(const Pack<double, 4>& a,
+                                                          const Pack<double, 4>& b,
+                                                          const Pack<double, 4>& c) {
+  return Pack<double, 4>(_mm256_fmadd_pd(a.v, b.v, c.v));
+}
 inline Pack<float, 8> Min(const Pack<float, 8>& a, const Pack<float, 8>& b) {
   return Pack<float, 8>(_mm256_min_ps(a.v, b.v));
 }
@@ -54,6 +69,11 @@ inline Pack<double, 4> Sqrt(const Pack<double, 4>& a) {
 #endif
 
 #if DBD_PACK_TARGET == 2
+inline Pack<float, 4> Select(const PackMask<float, 4>& mask, const Pack<float, 4>& yes,
+                             const Pack<float, 4>& no) {
+  return Pack<float, 4>(
+      _mm_blendv_ps(no.v, yes.v, __builtin_bit_cast(Pack<float, 4>::Vector, mask.v)));
+}
 inline Pack<float, 8> Select(const PackMask<float, 8>& mask, const Pack<float, 8>& yes,
                              const Pack<float, 8>& no) {
   return Pack<float, 8>(
@@ -78,6 +98,16 @@ inline bool AnyOf(const PackMask<double, 4>& mask) {
 inline constexpr __mmask16 kAllOfSixteen = 0xffff;
 inline constexpr __mmask8 kAllOfEight = 0xff;
 
+[[gnu::always_inline]] inline Pack<float, 16> MultiplyAdd(const Pack<float, 16>& a,
+                                                          const Pack<float, 16>& b,
+                                                          const Pack<float, 16>& c) {
+  return Pack<float, 16>(_mm512_fmadd_ps(a.v, b.v, c.v));
+}
+[[gnu::always_inline]] inline Pack<double, 8> MultiplyAdd(const Pack<double, 8>& a,
+                                                          const Pack<double, 8>& b,
+                                                          const Pack<double, 8>& c) {
+  return Pack<double, 8>(_mm512_fmadd_pd(a.v, b.v, c.v));
+}
 inline Pack<float, 16> Min(const Pack<float, 16>& a, const Pack<float, 16>& b) {
   return Pack<float, 16>(_mm512_mask_min_ps(a.v, kAllOfSixteen, a.v, b.v));
 }

@@ -100,7 +100,7 @@ void AddContactForces(const Model& model, double step, EngineState<Real>& state,
     const Real push = elastic + ToLanes<Real>(contact.damping) * rate;
     const Real zero(0);
     // The damper at most doubles the elastic force and never pulls: no jump at first touch.
-    const Real normal = Select(depth > zero, Clamp(push, zero, Real(2) * elastic), zero);
+    const Real normal = Select(depth > zero, Clamp(push, zero, elastic + elastic), zero);
     const Vec3<Real> v_slide = point.v + rate * c.normal_W;
     const Vec3<Real> f = normal * c.normal_W + BristleForce(contact, v_slide, normal, step, c);
     work.wrench[contact.body].Add(f, point.lever);

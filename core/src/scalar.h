@@ -26,10 +26,10 @@ using ScalarOf = typename LaneTraits<Real>::Scalar;
 /// A number of the model, for all lanes: one that they share, or a pack with one for each.
 template <class Real, class Number>
 Real ToLanes(const Number& number) {
-  if constexpr (std::is_same_v<Real, Number>) {
-    return number;
-  } else {
+  if constexpr (std::is_arithmetic_v<Number>) {
     return Real(static_cast<ScalarOf<Real>>(number));
+  } else {
+    return number;
   }
 }
 
@@ -75,8 +75,10 @@ T Cbrt(T a) {
 }
 inline bool AnyOf(bool mask) { return mask; }
 
+/// Products of packs (pack.h) convert to the first two.
 template <class Real>
-Real Clamp(Real value, Real low, Real high) {
+Real Clamp(const std::type_identity_t<Real>& value, const std::type_identity_t<Real>& low,
+           const Real& high) {
   return Min(Max(value, low), high);
 }
 

@@ -275,8 +275,8 @@ void SampleContactOn(const Pattern& pattern, const Shape& shape, const GroundPla
   const Real y = ToLanes<Real>(pattern.size.half_span) * (sums.area[2] - sums.area[0]);
   contact.p_HC_W = Select(touching, R_WT * Vec3<Real>{scale * sums.x, scale * y, scale * sums.z},
                           contact.p_HC_W);
-  contact.deflection = Select(
-      touching, EquivalentDeflection(Real(S(1.0 / kTirePlanes)) * area, pattern.size), Real(0));
+  const Real mean_area = Real(S(1.0 / kTirePlanes)) * area;
+  contact.deflection = Select(touching, EquivalentDeflection(mean_area, pattern.size), Real(0));
   SetContactSoil(pattern, ground, touching, contact);
 }
 

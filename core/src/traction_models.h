@@ -66,7 +66,7 @@ ShearForce<Real> ShearAt(const TractionCurve<Real>& curve, const Real& limit, co
   ShearForce<Real> shear{limit * (one - decay), limit * curve.rate * decay};
   const auto janosi = curve.janosi > Real(0);
   if (!AnyOf(janosi)) return shear;
-  const JanosiValue<Real> here = JanosiShareOf(curve.rate * size);
+  const JanosiValue<Real> here = JanosiShareOf<Real>(curve.rate * size);
   const Real full = limit / Max(JanosiShareOf(curve.rate).share, ToLanes<Real>(1e-9));
   shear.force = Select(janosi, full * here.share, shear.force);
   shear.stiffness = Select(janosi, full * curve.rate * here.slope, shear.stiffness);

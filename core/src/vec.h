@@ -32,7 +32,7 @@ Vec3<Real> operator-(Vec3<Real> a, const Vec3<Real>& b) {
   return a -= b;
 }
 template <class Real>
-Vec3<Real> operator*(const Real& s, const Vec3<Real>& a) {
+Vec3<Real> operator*(const std::type_identity_t<Real>& s, const Vec3<Real>& a) {
   return {s * a.x, s * a.y, s * a.z};
 }
 template <class Real>
@@ -81,7 +81,10 @@ template <class Real>
 struct Mat3 {
   Vec3<Real> x, y, z;
 
-  Vec3<Real> operator*(const Vec3<Real>& v) const { return v.x * x + v.y * y + v.z * z; }
+  Vec3<Real> operator*(const Vec3<Real>& v) const {
+    return {v.x * x.x + v.y * y.x + v.z * z.x, v.x * x.y + v.y * y.y + v.z * z.y,
+            v.x * x.z + v.y * y.z + v.z * z.z};
+  }
   Vec3<Real> TransposeTimes(const Vec3<Real>& v) const { return {Dot(x, v), Dot(y, v), Dot(z, v)}; }
 };
 

@@ -124,7 +124,8 @@ void LaneBatch::CancelAll(DriveQueue& queue) {
 }
 
 LaneKind LanesFor(std::size_t drives) {
-  if (drives <= 4 || !LaneKindAvailable(LaneKind::kFloat8)) return LaneKind::kFloat4;
+  if (!LaneKindAvailable(LaneKind::kFloat4)) return LaneKind::kFloat4Plain;
+  if (drives <= 4) return LaneKind::kFloat4;
   if (drives <= 8 || !LaneKindAvailable(LaneKind::kFloat16)) return LaneKind::kFloat8;
   return LaneKind::kFloat16;
 }

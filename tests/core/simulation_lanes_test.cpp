@@ -8,12 +8,14 @@
 #include <string>
 
 #include "support/core_vehicle.h"
+#include "support/lane_kinds.h"
 
 namespace dbd {
 namespace {
 
-constexpr LaneKind kAll[] = {LaneKind::kFloat4,  LaneKind::kFloat8,  LaneKind::kFloat16,
-                             LaneKind::kDouble2, LaneKind::kDouble4, LaneKind::kDouble8};
+constexpr LaneKind kAll[] = {LaneKind::kFloat4Plain, LaneKind::kFloat4,  LaneKind::kFloat8,
+                             LaneKind::kFloat16,     LaneKind::kDouble2, LaneKind::kDouble4,
+                             LaneKind::kDouble8};
 
 std::vector<LaneKind> Available(bool doubles) {
   std::vector<LaneKind> kinds;
@@ -121,8 +123,8 @@ TEST(SimulationLanes, OrderPackingAndWidthChangeNoBit) {
   const std::vector<Task> tasks = Tasks(11);
   std::vector<int> backwards = InOrder(11);
   std::reverse(backwards.begin(), backwards.end());
-  const auto reference = Hashes(DriveAll(*ground, tasks, LaneKind::kFloat4, InOrder(11)));
-  for (const LaneKind kind : Available(false)) {
+  const auto reference = Hashes(DriveAll(*ground, tasks, LaneKind::kFloat, InOrder(11)));
+  for (const LaneKind kind : KindsWithTheSameBits()) {
     EXPECT_EQ(Hashes(DriveAll(*ground, tasks, kind, InOrder(11))), reference) << LaneKindName(kind);
     EXPECT_EQ(Hashes(DriveAll(*ground, tasks, kind, backwards)), reference) << LaneKindName(kind);
   }
@@ -132,14 +134,14 @@ TEST(SimulationLanes, OrderPackingAndWidthChangeNoBit) {
 TEST(SimulationLanes, AVehicleTakenToOtherLanesGoesOnToTheBit) {
   const auto ground = MakeRandomGround(-50, 0.15, 0.5, 3);
   const DriverCommand ahead{.steer = 0.1, .engine_torque = 40};
-  for (const LaneKind kind : Available(false)) {
+  for (const LaneKind kind : KindsWithTheSameBits()) {
     SimulationLanes stays(Tm27(), *ground, kind), leaves(Tm27(), *ground, kind);
     const std::vector<DriverCommand> commands(static_cast<std::size_t>(stays.lanes()), ahead);
     const auto advance = [&](SimulationLanes& lanes) { lanes.Advance(commands); };
     stays.Place(2, {1e5, 2}, 0.4, 0.5);
     leaves.Place(2, {1e5, 2}, 0.4, 0.5);
     for (int i = 0; i < 301 || !leaves.at_period(); ++i) advance(stays), advance(leaves);
-    SimulationLanes narrow(Tm27(), *ground, LaneKind::kFloat4);
+    SimulationLanes narrow(Tm27(), *ground, KindsWithTheSameBits().front());
     narrow.TakeOver(0, leaves, 2);
     EXPECT_FALSE(leaves.driving(2));
     for (int i = 0; i < 200; ++i) advance(stays), narrow.Advance({ahead, ahead, ahead, ahead});
@@ -224,7 +226,7 @@ TEST(SimulationLanes, FarFromTheWorldsOriginFloatsAreAsExact) {
 
 TEST(SimulationLanes, SettlesBeforeItDrives) {
   const auto ground = MakePlaneGround(0, 0);
-  SimulationLanes lanes(Tm27(), *ground, LaneKind::kFloat4);
+  SimulationLanes lanes(Tm27(), *ground, LaneKind::kFloat4Plain);
   lanes.Place(1, {0, 0}, 0, 0.1);
   std::vector<DriverCommand> commands(4);
   EXPECT_LT(lanes.time(1), 0);
@@ -243,8 +245,8 @@ TEST(SimulationLanes, RefusesLanesThatTheProcessorLacks) {
     if (LaneKindAvailable(kind)) continue;
     EXPECT_THROW(SimulationLanes(Tm27(), *MakePlaneGround(0, 0), kind), InputError);
   }
-  EXPECT_TRUE(LaneKindAvailable(LaneKind::kFloat4));
-  EXPECT_EQ(LaneKindName(LaneKind::kFloat4), "float x 4");
+  EXPECT_TRUE(LaneKindAvailable(LaneKind::kFloat4Plain));
+  EXPECT_EQ(LaneKindName(LaneKind::kFloat4Plain), "float x 4, plain");
 }
 
 /// Height and pitch of the first of a pack's lanes less the reference's, root mean square over a

@@ -9,6 +9,8 @@
 #include <memory>
 #include <random>
 
+#include "support/lane_kinds.h"
+
 namespace dbd {
 namespace {
 
@@ -90,9 +92,8 @@ std::uint64_t HashAmong(const Terrain& terrain, LaneKind kind, int lane, bool ne
 
 TEST(TinLanes, NeitherNeighboursNorWidthMatter) {
   const Terrain terrain = IrregularTin(1.3);
-  const std::uint64_t alone = HashAmong(terrain, LaneKind::kFloat4, 0, false);
-  for (const LaneKind kind : {LaneKind::kFloat4, LaneKind::kFloat8, LaneKind::kFloat16}) {
-    if (!LaneKindAvailable(kind)) continue;
+  const std::uint64_t alone = HashAmong(terrain, LaneKind::kFloat, 0, false);
+  for (const LaneKind kind : KindsWithTheSameBits()) {
     EXPECT_EQ(HashAmong(terrain, kind, 0, true), alone) << LaneKindName(kind);
     EXPECT_EQ(HashAmong(terrain, kind, 3, true), alone) << LaneKindName(kind);
   }

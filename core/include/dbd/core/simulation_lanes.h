@@ -10,14 +10,15 @@ namespace dbd {
 
 /// What a pack of vehicles is computed with.
 enum class LaneKind {
-  kFloat,    ///< the widest float lanes that the processor has: 16, 8 or 4 vehicles
-  kDouble,   ///< the widest double lanes: 8, 4 or 2
-  kFloat16,  ///< AVX-512
-  kFloat8,   ///< AVX2
-  kFloat4,   ///< any x86-64
-  kDouble8,  ///< AVX-512
-  kDouble4,  ///< AVX2
-  kDouble2,  ///< any x86-64
+  kFloat,        ///< the widest float lanes that the processor has: 16, 8 or 4 vehicles
+  kDouble,       ///< the widest double lanes: 8, 4 or 2
+  kFloat16,      ///< AVX-512
+  kFloat8,       ///< AVX2
+  kFloat4,       ///< AVX2
+  kFloat4Plain,  ///< any x86-64, without fused multiply-adds
+  kDouble8,      ///< AVX-512
+  kDouble4,      ///< AVX2
+  kDouble2,      ///< any x86-64, without fused multiply-adds
 };
 
 /// As text: "float x 16".
@@ -28,7 +29,8 @@ bool LaneKindAvailable(LaneKind kind);
 /// A pack of vehicles of one kind on one ground, each driving its own way: the same engine and the
 /// same physics as `Simulation`, many at once. What a lane does depends neither on its neighbours
 /// nor on its place nor on the width of the pack: float lanes give the same bits on every
-/// processor, and double lanes give `Simulation`'s to round-off. A lane that has come to its end
+/// processor with AVX2 (2013 and later; on older ones the same to round-off), and double lanes give
+/// `Simulation`'s to round-off. A lane that has come to its end
 /// takes the next vehicle at once. Not safe to share between threads; vehicle and ground are only
 /// read.
 class SimulationLanes {
