@@ -7,6 +7,7 @@
 #include "corners.h"
 #include "engine_model.h"
 #include "engine_state.h"
+#include "wheel_control.h"
 
 namespace dbd {
 
@@ -20,8 +21,10 @@ class CornerEngine {
   /// Advances by one control interval; `keep`: share of all velocities that a step leaves.
   /// Returns the work of the drive torque, positive part [J].
   virtual double Advance(const WheelControls<double>& controls, double keep) = 0;
-  /// State, and forces of the last step.
-  virtual void Read(EngineState<double>& state, Workspace<double>& work) const = 0;
+  virtual WheelSpins Spins() const = 0;
+  /// State, forces of the last step, and the chassis' velocity before the last control interval.
+  virtual void Read(EngineState<double>& state, Workspace<double>& work,
+                    Vec3<double>& last_v_WB) const = 0;
 };
 
 /// All must outlive it. Null where the vehicle has no corners, see FindCorners.

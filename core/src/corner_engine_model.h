@@ -26,6 +26,7 @@ struct CornerEngineModel {
   std::vector<TirePatternOf<Real>> patterns;
   std::vector<TireNumbers<Real>> tires;
   std::vector<Real> carrier_inertia;
+  bool couples_shafts = whole.CouplesShafts();
   double gravity = whole.gravity;
   double step = whole.step;
   int spring_every = whole.spring_every;
@@ -83,12 +84,23 @@ void JoinLanes(const CornerEngineModel<Real>& /*engine*/, Workspace<Real>& work)
   }
 }
 
+template <class Real>
+bool AnyBrake(const CornerEngineModel<Real>& engine, const WheelControls<Real>& controls) {
+  Real most(0);
+  for (std::size_t row = 0; row < engine.numbers.wheels.size(); ++row) {
+    most = Max(most, controls.brake_torque[row]);
+  }
+  return AnyOf(most > Real(0));
+}
+
 /// Differentials and brakes join wheels of different lanes: they are evaluated wheel by wheel.
 template <class Real>
 void CoupleSpins(const CornerEngineModel<Real>& engine, const WheelControls<Real>& controls,
                  double step, const std::array<CarrierSpin<Real>, kMaxWheels>& carriers,
                  const SpinArray<Real>& inertia, SpinArray<Real>& spin,
                  SpinArray<Real>& brake_torque) {
+  for (std::size_t row = 0; row < engine.numbers.wheels.size(); ++row) brake_torque[row] = Real(0);
+  if (!engine.couples_shafts && !AnyBrake(engine, controls)) return;
   WheelControls<double> of_wheels;
   std::array<CarrierSpin<double>, kMaxWheels> wheel_carriers;
   SpinArray<double> wheel_inertia, wheel_spin, wheel_brake;
@@ -102,7 +114,6 @@ void CoupleSpins(const CornerEngineModel<Real>& engine, const WheelControls<Real
   }
   CoupleSpins(engine.whole, of_wheels, step, wheel_carriers, wheel_inertia, wheel_spin,
               wheel_brake);
-  for (std::size_t row = 0; row < engine.numbers.wheels.size(); ++row) brake_torque[row] = Real(0);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const auto [row, lane] = places[i];
     spin[row].v[lane] = wheel_spin[i];

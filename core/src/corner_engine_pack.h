@@ -55,6 +55,7 @@ class PackCornerEngine final : public CornerEngine {
   double Advance(const WheelControls<double>& controls, double keep) override {
     LiftIdleBodies();
     TakeControls(controls);
+    last_v_WB_ = LaneOf(state_.bodies[0], 0).v_WB;
     Real work{0};
     for (int i = 0; i < model_.whole.control_every; ++i) {
       Step();
@@ -66,8 +67,18 @@ class PackCornerEngine final : public CornerEngine {
     return sum * model_.step;
   }
 
-  void Read(EngineState<double>& state, Workspace<double>& work) const override {
+  WheelSpins Spins() const override {
+    WheelSpins spins{};
+    EachElement(corners_.wheels, [&](std::size_t row, int lane, int wheel) {
+      spins[static_cast<std::size_t>(wheel)] = state_.wheels[row].spin.v[lane];
+    });
+    return spins;
+  }
+
+  void Read(EngineState<double>& state, Workspace<double>& work,
+            Vec3<double>& last_v_WB) const override {
     state.step = state_.step;
+    last_v_WB = last_v_WB_;
     state.bodies[0] = LaneOf(state_.bodies[0], 0);
     Shift(1, state.bodies[0].p_WB);
     EachElement(corners_.bodies, [&](std::size_t row, int lane, int body) {
@@ -149,6 +160,7 @@ class PackCornerEngine final : public CornerEngine {
   EngineState<Real> state_;
   Workspace<Real> work_;
   WheelControls<Real> controls_{};
+  Vec3<double> last_v_WB_{};
 };
 
 using CornerPack = Pack<double, kCornerLanes>;

@@ -56,6 +56,11 @@ EngineModel::EngineModel(const VehicleModel& vehicle_model)
 
 EngineModel::~EngineModel() = default;
 
+bool EngineModel::CouplesShafts() const {
+  return centre_coupling > 0 || std::any_of(axle_coupling.begin(), axle_coupling.end(),
+                                            [](double torque) { return torque > 0; });
+}
+
 std::int64_t EngineModel::SettlingSteps(double time) const {
   return period * static_cast<std::int64_t>(std::ceil(time / (period * step) - 1e-9));
 }

@@ -40,6 +40,8 @@ struct EngineModel {
   int control_every = 1;
   int period = 1;  ///< steps after which all groups begin together again
 
+  /// Whether any differential moves torque across.
+  bool CouplesShafts() const;
   /// Steps of settling for at least `time` [s], in whole periods.
   std::int64_t SettlingSteps(double time) const;
 };

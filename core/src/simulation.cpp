@@ -17,7 +17,12 @@ namespace dbd {
 
 struct Simulation::Impl {
   Impl(const VehicleModel& model, const Ground& surface, const SimulationOptions& simulation)
-      : vehicle(model), ground(surface), options(simulation), engine(model), work(model) {
+      : vehicle(model),
+        ground(surface),
+        options(simulation),
+        engine(model),
+        work(model),
+        steering(model) {
     if (options.wheel_lanes && IsPlain()) corners = MakeCornerEngine(engine, ground);
   }
 
@@ -25,10 +30,13 @@ struct Simulation::Impl {
   const Ground& ground;
   SimulationOptions options;
   EngineModel engine;
-  std::unique_ptr<CornerEngine> corners;  // steps in the place of `state`, which it fills
+  std::unique_ptr<CornerEngine> corners;  // steps in the place of `state`
+  bool ahead = false;                     // it has stepped since it last filled these
   EngineState<double> state;
   Workspace<double> work;
   HeldWrenches held_tires;
+  AckermannGeometry steering;
+  DriverCommand command;  // whose steering and brakes are in force
   WheelControls<double> controls;
   PowertrainState powertrain;
   double energy = 0;
@@ -50,6 +58,20 @@ struct Simulation::Impl {
     }
   }
 
+  /// State and forces as they are now: reading them out of lanes takes longer than a step.
+  Impl& Present() {
+    if (ahead) corners->Read(state, work, last_v_WB);
+    ahead = false;
+    return *this;
+  }
+
+  WheelSpins Spins() const { return ahead ? corners->Spins() : SpinsOf(state); }
+
+  void Hold(const DriverCommand& held) {
+    SetSteeringAndBrakes(vehicle, steering, held, controls);
+    command = held;
+  }
+
   void StepOnRig();
   void Settle(std::int64_t steps);
   void DriveInterval();
@@ -67,7 +89,7 @@ void Simulation::Impl::Settle(std::int64_t steps) {
   if (corners) {
     corners->SetState(state);
     for (std::int64_t i = 0; i < steps; i += engine.control_every) corners->Advance(controls, keep);
-    corners->Read(state, work);
+    corners->Read(state, work, last_v_WB);
     state.step = 0;
     corners->SetState(state);
     return;
@@ -82,7 +104,8 @@ void Simulation::Impl::Settle(std::int64_t steps) {
 void Simulation::Impl::DriveInterval() {
   if (corners) {
     energy += corners->Advance(controls, 1);
-    corners->Read(state, work);
+    state.step += engine.control_every;
+    ahead = true;
     return;
   }
   for (int i = 0; i < engine.control_every; ++i) {
@@ -118,8 +141,10 @@ Simulation::Simulation(Simulation&&) noexcept = default;
 void Simulation::Place(const Eigen::Vector2d& position, double heading, double settle_time) {
   Impl& s = *impl_;
   s.state = InitialState<double>(s.vehicle, s.ground, position, heading);
+  s.ahead = false;
   s.powertrain = {};
-  s.controls = HeldByBrakes(s.vehicle);
+  s.controls = {};
+  s.Hold({.brake = 1});
   s.Settle(s.engine.SettlingSteps(settle_time));
   s.energy = 0;
   s.last_v_WB = s.state.bodies[0].v_WB;
@@ -127,7 +152,8 @@ void Simulation::Place(const Eigen::Vector2d& position, double heading, double s
 
 void Simulation::Advance(const DriverCommand& command) {
   Impl& s = *impl_;
-  SetControls(s.vehicle, command, SpinsOf(s.state), control_step(), s.powertrain, s.controls);
+  if (command.steer != s.command.steer || command.brake != s.command.brake) s.Hold(command);
+  SetDriveTorques(s.vehicle, command, s.Spins(), control_step(), s.powertrain, s.controls);
   s.last_v_WB = s.state.bodies[0].v_WB;
   s.DriveInterval();
 }
@@ -135,16 +161,18 @@ void Simulation::Advance(const DriverCommand& command) {
 double Simulation::time() const { return impl_->Time(); }
 double Simulation::control_step() const { return impl_->engine.step * impl_->engine.control_every; }
 const PowertrainState& Simulation::powertrain() const { return impl_->powertrain; }
-double Simulation::SpringForce(int index) const { return impl_->work.spring_force[index]; }
-double Simulation::LinkForce(int index) const { return impl_->work.link_force[index]; }
+double Simulation::SpringForce(int index) const {
+  return impl_->Present().work.spring_force[index];
+}
+double Simulation::LinkForce(int index) const { return impl_->Present().work.link_force[index]; }
 double Simulation::drive_energy() const { return impl_->energy; }
 
-ChassisView Simulation::Chassis() const { return ViewOfChassis(impl_->state.bodies[0]); }
+ChassisView Simulation::Chassis() const { return ViewOfChassis(impl_->Present().state.bodies[0]); }
 
 WheelView Simulation::Wheel(int index) const {
-  const WheelModel& wheel = impl_->vehicle.wheels[index];
-  return ViewOfWheel(wheel, impl_->state.bodies[wheel.body], impl_->state.wheels[index],
-                     impl_->work.tires[index]);
+  const Impl& s = impl_->Present();
+  const WheelModel& wheel = s.vehicle.wheels[index];
+  return ViewOfWheel(wheel, s.state.bodies[wheel.body], s.state.wheels[index], s.work.tires[index]);
 }
 
 void Simulation::Observe(VehicleSnapshot& snapshot) const {
@@ -158,18 +186,25 @@ void Simulation::Observe(VehicleSnapshot& snapshot) const {
 }
 
 DriverView Simulation::ViewForDriver() const {
-  return ViewOfDriver(impl_->vehicle, impl_->state.bodies[0]);
+  return ViewOfDriver(impl_->vehicle, impl_->Present().state.bodies[0]);
 }
 
 double Simulation::VerticalAcceleration() const {
-  const BodyState<double>& body = impl_->state.bodies[0];
-  return Dot(body.v_WB - impl_->last_v_WB, RotationMatrix(body.q_WB).z) / control_step();
+  const Impl& s = impl_->Present();
+  const BodyState<double>& body = s.state.bodies[0];
+  return Dot(body.v_WB - s.last_v_WB, RotationMatrix(body.q_WB).z) / control_step();
 }
 
 bool Simulation::wheel_lanes() const { return impl_->corners != nullptr; }
 
-bool Simulation::IsSane() const { return StateIsSane(impl_->vehicle, impl_->state, impl_->work); }
+bool Simulation::IsSane() const {
+  const Impl& s = impl_->Present();
+  return StateIsSane(s.vehicle, s.state, s.work);
+}
 
-std::uint64_t Simulation::StateHash() const { return HashState(impl_->state, impl_->powertrain); }
+std::uint64_t Simulation::StateHash() const {
+  const Impl& s = impl_->Present();
+  return HashState(s.state, s.powertrain);
+}
 
 }  // namespace dbd
