@@ -36,7 +36,7 @@ Vec3<Real> MidStepAngularVelocity(const Body& body, const Mat3<Real>& R_WB, cons
   using S = ScalarOf<Real>;
   if (IsSpherical(body.inertia)) return ToLanes<Real>(1 / body.inertia.x()) * h_W;
   const Vec3<Real> predicted = AngularVelocity(body, R_WB, h_W);
-  const Quat<Real> q_mid = Rotated(q_WB, Real(S(0.5)) * dt * predicted);
+  const Quat<Real> q_mid = Turned(q_WB, Real(S(0.5)) * dt * predicted);
   return AngularVelocity(body, RotationMatrix(q_mid), h_W);
 }
 

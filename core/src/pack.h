@@ -226,9 +226,12 @@ Pack<T, N> Exp(const Pack<T, N>& a) {
   const P shifted = x * P(T(1.4426950408889634)) + P(magic);
   const P n = shifted - P(magic);
   const P r = (x - n * P(kLog2High<T>)) - n * P(kLog2Low<T>);
-  P series = InverseFactorial<P>(kExpTerms<T>);
-  for (int k = kExpTerms<T> - 1; k >= 2; --k) series = series * r + InverseFactorial<P>(k);
-  const P value = P(T(1)) + (r + r * r * series);
+  // Even and odd powers apart: half as many operations wait for each other.
+  const P r2 = r * r;
+  P even = InverseFactorial<P>(kExpTerms<T>), odd = InverseFactorial<P>(kExpTerms<T> - 1);
+  for (int k = kExpTerms<T> - 2; k >= 2; k -= 2) even = even * r2 + InverseFactorial<P>(k);
+  for (int k = kExpTerms<T> - 3; k >= 2; k -= 2) odd = odd * r2 + InverseFactorial<P>(k);
+  const P value = P(T(1)) + (r + r2 * (even + r * odd));
   const auto whole = __builtin_bit_cast(typename P::Integers, shifted.v) -
                      __builtin_bit_cast(LaneInteger<T>, magic);
   const auto power = (whole + kExponentBias<T>) << kMantissaBits<T>;

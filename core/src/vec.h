@@ -112,20 +112,26 @@ Mat3<Real> RotationMatrix(const Quat<Real>& q) {
 }
 
 /// q turned by the rotation vector `r` given in W. The half angles of one step are small (below
-/// 0.1 rad at 50 rad/s and 4 ms), so that series to the sixth order are exact to round-off, and
-/// the final normalisation removes what is left.
+/// 0.1 rad at 50 rad/s and 4 ms), so that series to the sixth order are exact to round-off.
 template <class Real>
-Quat<Real> Rotated(const Quat<Real>& q, const Vec3<Real>& r) {
+Quat<Real> Turned(const Quat<Real>& q, const Vec3<Real>& r) {
   using S = ScalarOf<Real>;
   const auto c = [](double value) { return Real(S(value)); };
   const Real h2 = c(0.25) * Dot(r, r);
   const Real cosine = c(1) - h2 * (c(1.0 / 2) - h2 * (c(1.0 / 24) - h2 * c(1.0 / 720)));
   const Real sinc = c(0.5) * (c(1) - h2 * (c(1.0 / 6) - h2 * c(1.0 / 120)));
-  const Quat<Real> turned = Quat<Real>{cosine, sinc * r.x, sinc * r.y, sinc * r.z} * q;
-  const Real norm2 =
-      turned.w * turned.w + turned.x * turned.x + turned.y * turned.y + turned.z * turned.z;
-  const Real scale = Real(1) / Sqrt(norm2);
-  return {scale * turned.w, scale * turned.x, scale * turned.y, scale * turned.z};
+  return Quat<Real>{cosine, sinc * r.x, sinc * r.y, sinc * r.z} * q;
+}
+
+/// The same, again and again: of length one to round-off. So near to one, 1/sqrt(n) is
+/// 1 - (n - 1)/2, whose error is the square of what there is to correct.
+template <class Real>
+Quat<Real> Rotated(const Quat<Real>& q, const Vec3<Real>& r) {
+  using S = ScalarOf<Real>;
+  const Quat<Real> t = Turned(q, r);
+  const Real norm2 = t.w * t.w + t.x * t.x + t.y * t.y + t.z * t.z;
+  const Real scale = Real(S(1.5)) - Real(S(0.5)) * norm2;
+  return {scale * t.w, scale * t.x, scale * t.y, scale * t.z};
 }
 
 }  // namespace dbd
