@@ -58,7 +58,7 @@ template <class T, int N, int kTarget = DBD_PACK_TARGET>
 struct alignas(N * sizeof(T)) Pack {
   typedef T Vector __attribute__((vector_size(N * sizeof(T))));
   typedef LaneInteger<T> Integers __attribute__((vector_size(N * sizeof(T))));
-  /// Every processor with AVX2 that this is compiled for has fused multiply-adds too.
+  /// Translation units for AVX2 are compiled for fused multiply-adds too.
   using Times = std::conditional_t<kTarget >= 2, Product<Pack>, Pack>;
 
   Pack() = default;
@@ -70,7 +70,8 @@ struct alignas(N * sizeof(T)) Pack {
   Pack& operator+=(const Product<Pack>& b) { return *this = *this + b; }
   Pack& operator-=(const Product<Pack>& b) { return *this = *this - b; }
 
-  // Friends, so that products convert to either side.
+  // Friends, so that products convert to either side. Inlined always, and so before GCC takes
+  // structs apart: left to its own it does that later, and keeps some products in memory.
   [[gnu::always_inline]] friend inline Pack operator+(const Pack& a, const Pack& b) {
     return Pack(a.v + b.v);
   }

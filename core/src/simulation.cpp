@@ -58,7 +58,7 @@ struct Simulation::Impl {
     }
   }
 
-  /// State and forces as they are now: reading them out of lanes takes longer than a step.
+  /// State and forces as they are now: reading them out of lanes takes a fifth of a step's time.
   Impl& Present() {
     if (ahead) corners->Read(state, work, last_v_WB);
     ahead = false;
