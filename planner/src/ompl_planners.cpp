@@ -88,6 +88,41 @@ std::shared_ptr<ob::Planner> MakePlanner(OmplPlanner planner, const ob::SpaceInf
   return abit_star;
 }
 
+/// A planner with its space and its problem. OMPL 1.5 keeps settings of all spaces in one map, and
+/// a planner's setup deletes those of spaces that are gone without having synchronised with the
+/// threads that they were of: setups and ends of spaces come one at a time.
+class Solver {
+ public:
+  Solver(OmplPlanner planner, const TrafficabilityLayer& layer, const OmplQuery& query)
+      : space_(MakeSpace(layer, query)),
+        problem_(MakeProblem(space_, layer, query)),
+        planner_(MakePlanner(planner, space_)) {
+    planner_->setProblemDefinition(problem_);
+    const std::lock_guard lock(settings_mutex_);
+    planner_->setup();
+  }
+  ~Solver() {
+    planner_.reset();
+    problem_.reset();
+    const std::lock_guard lock(settings_mutex_);
+    space_.reset();
+  }
+  Solver(const Solver&) = delete;
+
+  const ob::ProblemDefinition& problem() const { return *problem_; }
+  bool Solve(const ob::PlannerTerminationCondition& enough) {
+    return planner_->solve(enough) == ob::PlannerStatus::EXACT_SOLUTION;
+  }
+
+ private:
+  static std::mutex settings_mutex_;
+  ob::SpaceInformationPtr space_;
+  ob::ProblemDefinitionPtr problem_;
+  std::shared_ptr<ob::Planner> planner_;
+};
+
+std::mutex Solver::settings_mutex_;
+
 std::vector<Pose2> Waypoints(const ob::ProblemDefinition& problem, bool reversing) {
   const auto path = std::dynamic_pointer_cast<og::PathGeometric>(problem.getSolutionPath());
   if (path == nullptr) return {};
@@ -119,19 +154,15 @@ std::vector<Pose2> SolveWithOmpl(OmplPlanner planner, const TrafficabilityLayer&
   DBD_ASSERT(seeds_are_ours);
   const OmplSilence silence;
   const OmplSeedScope scope(seed);
-  const ob::SpaceInformationPtr si = MakeSpace(layer, query);
-  const ob::ProblemDefinitionPtr problem = MakeProblem(si, layer, query);
-  const std::shared_ptr<ob::Planner> solver = MakePlanner(planner, si);
-  solver->setProblemDefinition(problem);
-  solver->setup();
+  Solver solver(planner, layer, query);
   int calls = 0;
   const ob::PlannerTerminationCondition enough(
       [&] { return ++calls > iterations || stop.stop_requested(); });
-  const ob::PlannerStatus status = solver->solve(enough);
+  const bool solved = solver.Solve(enough);
   ThrowIfStopped(stop);
-  if (status != ob::PlannerStatus::EXACT_SOLUTION) return {};
+  if (!solved) return {};
   // Not every planner of OMPL 1.5 respects that a Dubins curve has a direction.
-  const std::vector<Pose2> waypoints = Waypoints(*problem, query.reversing);
+  const std::vector<Pose2> waypoints = Waypoints(solver.problem(), query.reversing);
   if (!AllGo(layer, DensePoses(waypoints, query.turning_radius))) return {};
   return waypoints;
 }
