@@ -29,17 +29,6 @@ Terrain Rasterise(const Ground& ground, double cell) {
                  MaterialMap(firm), ObstacleMap());
 }
 
-Driver DriverOn(const Scenario& scenario, const VehicleModel& vehicle,
-                const Eigen::Vector2d& start) {
-  Driver driver(vehicle, Path(), {.target_speed = scenario.target_speed});
-  driver.SetStart(start, 0);
-  return driver;
-}
-
-int StepsBetweenDecisions(double control_step) {
-  return static_cast<int>(std::lround(kDecisionInterval / control_step));
-}
-
 }  // namespace
 
 const Terrain& ScenarioTerrain(const std::string& scenario, int cell_millimetres) {
@@ -55,20 +44,8 @@ double DriveAlone(const Scenario& scenario, const VehicleModel& vehicle, const T
                   const SimulationOptions& options) {
   Simulation simulation(vehicle, terrain, options);
   simulation.Place(Eigen::Vector2d::Zero(), 0, kSettleTime);
-  Driver driver = DriverOn(scenario, vehicle, Eigen::Vector2d::Zero());
-  DriverState state;
-  DriverCommand command;
-  const int decide_every = StepsBetweenDecisions(simulation.control_step());
-  for (int step = 0; simulation.time() < scenario.duration; ++step) {
-    if (step % decide_every == 0) {
-      command = {.brake = 1};
-      if (simulation.time() >= scenario.standing_time) {
-        command = driver.Update(simulation.ViewForDriver(),
-                                decide_every * simulation.control_step(), state);
-      }
-    }
-    simulation.Advance(command);
-  }
+  ScenarioDriver driver(scenario, vehicle, kDecisionInterval);
+  while (simulation.time() < scenario.duration) driver.Advance(simulation);
   return kSettleTime + scenario.duration;
 }
 
@@ -76,15 +53,16 @@ double DriveLanes(const Scenario& scenario, const VehicleModel& vehicle, const T
                   LaneKind kind) {
   SimulationLanes lanes(vehicle, terrain, kind);
   const auto count = static_cast<std::size_t>(lanes.lanes());
-  std::vector<Driver> drivers;
+  std::vector<Driver> drivers(count,
+                              Driver(vehicle, Path(), {.target_speed = scenario.target_speed}));
   std::vector<DriverState> states(count);
   std::vector<DriverCommand> commands(count);
   for (std::size_t i = 0; i < count; ++i) {
     const Eigen::Vector2d start(0, 0.25 * static_cast<double>(i) - 2);
     lanes.Place(static_cast<int>(i), start, 0, kSettleTime);
-    drivers.push_back(DriverOn(scenario, vehicle, start));
+    drivers[i].SetStart(start, 0);
   }
-  const int decide_every = StepsBetweenDecisions(lanes.control_step());
+  const int decide_every = static_cast<int>(std::lround(kDecisionInterval / lanes.control_step()));
   for (int step = 0; lanes.time(0) < scenario.duration; ++step) {
     for (std::size_t i = 0; i < count && step % decide_every == 0; ++i) {
       const int lane = static_cast<int>(i);

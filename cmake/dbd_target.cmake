@@ -23,8 +23,9 @@ if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES AND PROJECT_IS_TOP_LEV
 endif()
 
 # -ffp-contract=off: fused multiply-adds only where core/src/pack.h writes them, so that one request
-# gives the same bits in every instantiation of the engine. -fno-math-errno lets sqrt be one instruction. GCC takes buffers that
-# are filled up to a run-time count for uninitialised (bug 101361 and others): that warning is off.
+# gives the same bits in every instantiation of the engine. -fno-math-errno lets sqrt be one
+# instruction. GCC takes buffers that are filled up to a run-time count for uninitialised (bug 101361
+# and others): that warning is off.
 function(dbd_target_settings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
     -Wno-sign-conversion -Wno-maybe-uninitialized -ffp-contract=off -fno-math-errno -fno-trapping-math)

@@ -10,10 +10,12 @@ namespace dbd {
 
 std::unique_ptr<LaneEngine> MakeAvx2Lanes(LaneKind kind, const VehicleModel& vehicle,
                                           const Ground& ground) {
-  if (kind == LaneKind::kDouble4)
+  if (kind == LaneKind::kDouble4) {
     return std::make_unique<PackEngine<Pack<double, 4>>>(vehicle, ground);
-  if (kind == LaneKind::kFloat4)
+  }
+  if (kind == LaneKind::kFloat4) {
     return std::make_unique<PackEngine<Pack<float, 4>>>(vehicle, ground);
+  }
   return std::make_unique<PackEngine<Pack<float, 8>>>(vehicle, ground);
 }
 

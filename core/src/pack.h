@@ -260,10 +260,6 @@ Pack<T, N> Cbrt(const Pack<T, N>& a) {
 }
 
 template <class P>
-P Abs(const Product<P>& p) {
-  return Abs(P(p));
-}
-template <class P>
 P Exp(const Product<P>& p) {
   return Exp(P(p));
 }

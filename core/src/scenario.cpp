@@ -1,6 +1,9 @@
 #include <dbd/core/error.h>
 #include <dbd/core/scenario.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace dbd {
 namespace {
 
@@ -50,18 +53,27 @@ Simulation StartScenario(const Scenario& scenario, const VehicleModel& vehicle,
   return simulation;
 }
 
-ScenarioDriver::ScenarioDriver(const Scenario& scenario, const VehicleModel& vehicle)
+ScenarioDriver::ScenarioDriver(const Scenario& scenario, const VehicleModel& vehicle,
+                               double decision_interval)
     : standing_time_(scenario.standing_time),
+      decision_interval_(decision_interval),
       driver_(vehicle, Path(), {.target_speed = scenario.target_speed}) {
   driver_.SetStart(Eigen::Vector2d::Zero(), 0);
 }
 
 void ScenarioDriver::Advance(Simulation& simulation) {
-  if (simulation.time() < standing_time_) {
-    simulation.Advance({.brake = 1});
-    return;
+  if (steps_to_decision_ == 0) {
+    const double step = simulation.control_step();
+    steps_to_decision_ = std::max(1, static_cast<int>(std::lround(decision_interval_ / step)));
+    command_ = Decide(simulation, steps_to_decision_ * step);
   }
-  simulation.Advance(driver_.Update(simulation.ViewForDriver(), simulation.control_step(), state_));
+  --steps_to_decision_;
+  simulation.Advance(command_);
+}
+
+DriverCommand ScenarioDriver::Decide(const Simulation& simulation, double dt) {
+  if (simulation.time() < standing_time_) return {.brake = 1};
+  return driver_.Update(simulation.ViewForDriver(), dt, state_);
 }
 
 }  // namespace dbd

@@ -152,7 +152,7 @@ void Simulation::Place(const Eigen::Vector2d& position, double heading, double s
 
 void Simulation::Advance(const DriverCommand& command) {
   Impl& s = *impl_;
-  if (command.steer != s.command.steer || command.brake != s.command.brake) s.Hold(command);
+  if (!SteersAndBrakesAlike(command, s.command)) s.Hold(command);
   SetDriveTorques(s.vehicle, command, s.Spins(), control_step(), s.powertrain, s.controls);
   s.last_v_WB = s.state.bodies[0].v_WB;
   s.DriveInterval();

@@ -152,9 +152,7 @@ void SimulationLanes::Impl::Steer(int index, const DriverCommand& command) {
 void SimulationLanes::Impl::Drive(int index, const DriverCommand& command) {
   Lane& lane = lanes[static_cast<std::size_t>(index)];
   const auto i = static_cast<std::size_t>(index);
-  if (command.steer != lane.command.steer || command.brake != lane.command.brake) {
-    Steer(index, command);
-  }
+  if (!SteersAndBrakesAlike(command, lane.command)) Steer(index, command);
   orders.keep[i] = 1;
   const auto driven = static_cast<int>(times.driven_wheels.size());
   if (driven == 0) return;

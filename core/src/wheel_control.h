@@ -20,6 +20,11 @@ void SetSteeringAndBrakes(const VehicleModel& vehicle, const DriverCommand& comm
 void SetSteeringAndBrakes(const VehicleModel& vehicle, const AckermannGeometry& geometry,
                           const DriverCommand& command, WheelControls<double>& controls);
 
+/// Whether steering and brakes in force need not be set anew.
+inline bool SteersAndBrakesAlike(const DriverCommand& a, const DriverCommand& b) {
+  return a.steer == b.steer && a.brake == b.brake;
+}
+
 /// Advances the powertrain by `dt`; returns the torque on each of `driven` wheels, which turn at
 /// `spin` [rad/s] on average.
 double DriveTorquePerWheel(const PowertrainModel& model, const DriverCommand& command, double spin,

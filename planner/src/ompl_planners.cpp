@@ -33,6 +33,11 @@ std::mutex silence_mutex;
 int silence_count = 0;
 ompl::msg::OutputHandler* silenced_handler = nullptr;
 
+// OMPL 1.5 keeps settings of all spaces in one map, and a planner's setup deletes those of spaces
+// that are gone without having synchronised with the threads that they were of: setups and ends of
+// spaces come one at a time.
+std::mutex settings_mutex;
+
 template <class Space, class Validator>
 ob::SpaceInformationPtr MakeSpaceOf(const TrafficabilityLayer& layer, const OmplQuery& query) {
   const auto space =
@@ -88,9 +93,7 @@ std::shared_ptr<ob::Planner> MakePlanner(OmplPlanner planner, const ob::SpaceInf
   return abit_star;
 }
 
-/// A planner with its space and its problem. OMPL 1.5 keeps settings of all spaces in one map, and
-/// a planner's setup deletes those of spaces that are gone without having synchronised with the
-/// threads that they were of: setups and ends of spaces come one at a time.
+/// A planner with its space and its problem.
 class Solver {
  public:
   Solver(OmplPlanner planner, const TrafficabilityLayer& layer, const OmplQuery& query)
@@ -98,13 +101,13 @@ class Solver {
         problem_(MakeProblem(space_, layer, query)),
         planner_(MakePlanner(planner, space_)) {
     planner_->setProblemDefinition(problem_);
-    const std::lock_guard lock(settings_mutex_);
+    const std::lock_guard lock(settings_mutex);
     planner_->setup();
   }
   ~Solver() {
     planner_.reset();
     problem_.reset();
-    const std::lock_guard lock(settings_mutex_);
+    const std::lock_guard lock(settings_mutex);
     space_.reset();
   }
   Solver(const Solver&) = delete;
@@ -115,13 +118,10 @@ class Solver {
   }
 
  private:
-  static std::mutex settings_mutex_;
   ob::SpaceInformationPtr space_;
   ob::ProblemDefinitionPtr problem_;
   std::shared_ptr<ob::Planner> planner_;
 };
-
-std::mutex Solver::settings_mutex_;
 
 std::vector<Pose2> Waypoints(const ob::ProblemDefinition& problem, bool reversing) {
   const auto path = std::dynamic_pointer_cast<og::PathGeometric>(problem.getSolutionPath());

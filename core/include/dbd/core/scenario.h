@@ -38,15 +38,22 @@ Simulation StartScenario(const Scenario& scenario, const VehicleModel& vehicle,
 /// Drives a scenario as the paper does: standing, then straight ahead at the target speed.
 class ScenarioDriver {
  public:
-  ScenarioDriver(const Scenario& scenario, const VehicleModel& vehicle);
+  /// Decides every `decision_interval` [s], as whole control intervals; every one of them at 0.
+  ScenarioDriver(const Scenario& scenario, const VehicleModel& vehicle,
+                 double decision_interval = 0);
 
   /// One control interval.
   void Advance(Simulation& simulation);
 
  private:
+  DriverCommand Decide(const Simulation& simulation, double dt);
+
   double standing_time_;
+  double decision_interval_;
   Driver driver_;
   DriverState state_;
+  DriverCommand command_;
+  int steps_to_decision_ = 0;
 };
 
 /// Which wheels an obstacle lies before.
